@@ -8,7 +8,9 @@ with ``host="process"`` a process of its own, so nothing in it touches the run.
 
 from __future__ import annotations
 
+import os
 from collections.abc import Mapping
+from contextlib import suppress
 from dataclasses import replace
 
 from smsl_studio.blueprint.address import Address
@@ -25,6 +27,8 @@ from smsl_studio.library.loaded import Loaded
 from smsl_studio.library.prediction import AGREES, DIFFERS, NONE, Prediction
 from smsl_studio.world.engines import TABLE
 
+LOW = 10
+"""The priority (nice) of a gentle twin."""
 LIVES = 3
 """After so many lost worlds, no further one is built."""
 
@@ -32,10 +36,14 @@ LIVES = 3
 class Twin:
     """Predicts operations of one run. The world is built at the first forecast.
 
-    ``loaded`` are plugins that were found before (see ``make_host``).
+    ``loaded`` are plugins that were found before (see ``make_host``). A ``gentle`` twin in a
+    process of its own has a low priority, so that it takes no time from the run.
     """
 
-    def __init__(self, request: RunRequest, loaded: Loaded | None = None) -> None:
+    def __init__(
+        self, request: RunRequest, loaded: Loaded | None = None, gentle: bool = False
+    ) -> None:
+        self._gentle = gentle
         self._request = replace(request, by_hand=True, attended=True, supervisor=None, agents=())
         self._hierarchy = Hierarchy(request.blueprint)
         self._loaded = loaded
@@ -74,6 +82,8 @@ class Twin:
         levels = Levels(blueprint, self._request.levels)
         dispatcher = Dispatcher(blueprint, self._host, terms, levels=levels)
         dispatcher.open()
+        if self._gentle:
+            _yield_to_others(self._host)
         if dispatcher.finished:
             return Prediction(NONE, reason=dispatcher.standing.sentence)
         found = carried(self._hierarchy, self._host, dispatcher, edge)
@@ -86,6 +96,14 @@ class Twin:
     def _is_hardware(self) -> bool:
         world, loaded = self._request.world, self._loaded
         return loaded is not None and world != TABLE and loaded.world(world)[1].hardware
+
+
+def _yield_to_others(host: Host) -> None:
+    """Give the process of a host a low priority, if it has one."""
+    pid = getattr(host, "pid", None)
+    if isinstance(pid, int):
+        with suppress(OSError):  # it may have ended, or the system has no priorities
+            os.setpriority(os.PRIO_PROCESS, pid, LOW)
 
 
 def foresight_of(request: RunRequest, loaded: Loaded | None) -> Foresight:

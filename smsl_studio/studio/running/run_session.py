@@ -91,6 +91,7 @@ class RunSession(QObject, Commands):
         self._exists = False
         self._shown: ShownTime | None = None
         self._asked: RunRequest | None = None
+        self._loaded: Loaded | None = None
         self._steps_first = False
         self._goes_on = self._ends = False
         self.recordings: Path | None = None
@@ -181,6 +182,11 @@ class RunSession(QObject, Commands):
         return script_text(asked, lines) if lines and asked is not None else ""
 
     @property
+    def asked(self) -> tuple[RunRequest, Loaded | None] | None:
+        """The request of the run, and the plugins as they were found then; None without a run."""
+        return (self._asked, self._loaded) if self._asked is not None and self._exists else None
+
+    @property
     def lines(self) -> tuple[Mapping[str, Any], ...]:
         """The same as the values of its lines."""
         return self._runner.lines if self._runner is not None else ()
@@ -220,6 +226,7 @@ class RunSession(QObject, Commands):
         self.status, self.shapes, self.sensors = None, (), ()
         self._told = RunObserver()
         request = self._asked = choice.request(blueprint)
+        self._loaded = loaded
         opening = RunOpener(request, loaded, self.recordings, self.who(), self.spare)
         self._opening = opening
         runner = Runner(

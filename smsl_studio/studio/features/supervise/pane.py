@@ -2,14 +2,11 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QEvent, QSize, Qt, Signal
-from PySide6.QtGui import QKeyEvent, QResizeEvent, QShowEvent
+from PySide6.QtCore import QEvent, Qt, Signal
+from PySide6.QtGui import QHideEvent, QKeyEvent, QResizeEvent, QShowEvent
 from PySide6.QtWidgets import (
     QAbstractButton,
     QApplication,
-    QFrame,
-    QScrollArea,
-    QSplitter,
     QStackedWidget,
     QVBoxLayout,
     QWidget,
@@ -27,11 +24,14 @@ from smsl_studio.studio.features.supervise.board import Board
 from smsl_studio.studio.features.supervise.check_panel import CheckPanel
 from smsl_studio.studio.features.supervise.decision_flow import DecisionFlow
 from smsl_studio.studio.features.supervise.facts import sensed_marks
+from smsl_studio.studio.features.supervise.forecast_strip import ForecastStrip
 from smsl_studio.studio.features.supervise.head import HIGH, LOW, PartialHead
 from smsl_studio.studio.features.supervise.notice import Notice
 from smsl_studio.studio.features.supervise.right_column import RightColumn
+from smsl_studio.studio.features.supervise.splits import Rolled, column_of, split_of
 from smsl_studio.studio.features.supervise.step_in import StepIn
 from smsl_studio.studio.running import decisions
+from smsl_studio.studio.running.forecaster import Forecaster, values_of
 from smsl_studio.studio.running.hold_card import HoldCard
 from smsl_studio.studio.running.run_canvas import RunCanvas
 from smsl_studio.studio.running.run_session import ENDABLE, RunSession
@@ -75,9 +75,11 @@ class SupervisePane(QWidget):
         self.head, self.board = PartialHead(tokens), Board(tokens)
         self.full_map = RunCanvas(session, run, tokens)
         self.notice = Notice()
-        self.check = CheckPanel(tokens)
+        self.check, self.forecast = CheckPanel(tokens), ForecastStrip(tokens)
+        self.forecaster = Forecaster(self)
         self.hold, self.step_in = HoldCard(), StepIn(tokens)
-        self._wearing = (self.bar, self.head, self.board, self.full_map, self.check, self.step_in)
+        self._wearing = (self.bar, self.head, self.board, self.full_map, self.check, self.step_in,
+                         self.forecast)  # fmt: skip
         self.deciding = DecisionFlow(run, self.step_in, self)
         self._build()
         self._connect()
@@ -199,23 +201,23 @@ class SupervisePane(QWidget):
         self.pages = QStackedWidget()
         for page in (self.board, self.full_map, self.notice):
             self.pages.addWidget(page)
-        top = _column(self.head, self.pages)
+        top = column_of(self.head, self.pages, self.forecast)
         self.level_slot = QVBoxLayout()
         self.level_slot.setContentsMargins(0, 0, 0, 0)
         level = QWidget()
         level.setProperty("role", "panel")
         level.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
         level.setLayout(self.level_slot)
-        self.below = _split(Qt.Orientation.Horizontal, self.check, level)
+        self.below = split_of(Qt.Orientation.Horizontal, self.check, level)
         self.below.setSizes([583, 424])
         self.level = level
         level.hide()
-        left = _split(Qt.Orientation.Vertical, top, self.below)
+        left = split_of(Qt.Orientation.Vertical, top, self.below)
         left.setStretchFactor(0, 1)
         left.setSizes([560, BELOW])
         self._right = RightColumn(self.hold, self.step_in)
         self.task_slot, self.room_changed = self._right.task_slot, self._right.room_changed
-        self._sides = _split(Qt.Orientation.Horizontal, _Rolled(left), self._right)
+        self._sides = split_of(Qt.Orientation.Horizontal, Rolled(left), self._right)
         self._sides.setStretchFactor(0, 1)
         self._sides.setSizes([1044, RIGHT])
         column = QVBoxLayout(self)
@@ -240,6 +242,8 @@ class SupervisePane(QWidget):
         self.deciding.changed.connect(self.refresh)
         self.deciding.changed.connect(self._right.see_question)
         self.hold.wanted.connect(self.deciding.ask)
+        self.forecaster.changed.connect(self._show_forecast)
+        self.forecast.anew_wanted.connect(lambda: self.forecaster.anew(run.status))
         self.notice.pressed.connect(self.begin_wanted)
         bar.play_wanted.connect(lambda: run.resume() if run.exists else self.begin_wanted.emit())
         bar.pause_wanted.connect(run.pause)
@@ -284,6 +288,14 @@ class SupervisePane(QWidget):
         )
         self.hold.show_status(status, run.exists)
         self.step_in.show_status(blueprint, status, run.exists, self.subject)
+        self.forecaster.follow(run.asked, status, self.subject)
+        self._show_forecast()
+
+    def _show_forecast(self) -> None:
+        run, status = self._run, self._run.status
+        at_work = status is not None and (status.carrying or status.running) is not None
+        now = values_of(status) if status is not None else {}
+        self.forecast.show_forecast(run.blueprint, self.forecaster.view, now, at_work)
 
     def _place_heads(self) -> None:
         shown = self.pages.currentWidget() is self.board
@@ -314,6 +326,12 @@ class SupervisePane(QWidget):
         """Show the present state of the run."""
         super().showEvent(event)
         self.refresh()
+
+    def hideEvent(self, event: QHideEvent) -> None:
+        """Give the forecast and its world up, because nobody sees it."""
+        super().hideEvent(event)
+        if not event.spontaneous():
+            self.forecaster.clear()
 
     # Keys.
 
@@ -356,43 +374,3 @@ class SupervisePane(QWidget):
             focus.click()
             return True
         return self.deciding.confirm()
-
-
-class _Rolled(QScrollArea):
-    """The left side; in a low page it scrolls, so that the question at the right stays."""
-
-    def __init__(self, inner: QWidget) -> None:
-        super().__init__()
-        self.setFrameShape(QFrame.Shape.NoFrame)
-        self.setWidgetResizable(True)
-        self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
-        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        self.setWidget(inner)
-
-    def sizeHint(self) -> QSize:
-        """The size that the parts would like to have."""
-        inner = self.widget()
-        return inner.sizeHint() if inner is not None else super().sizeHint()
-
-    def minimumSizeHint(self) -> QSize:
-        """Wide enough for the partial view; it scrolls sideways by itself."""
-        return QSize(300, 160)
-
-
-def _column(*parts: QWidget) -> QWidget:
-    made = QWidget()
-    column = QVBoxLayout(made)
-    column.setContentsMargins(0, 0, 0, 0)
-    column.setSpacing(0)
-    for at, part in enumerate(parts):
-        column.addWidget(part, at)
-    return made
-
-
-def _split(way: Qt.Orientation, *parts: QWidget) -> QSplitter:
-    made = QSplitter(way)
-    made.setHandleWidth(1)
-    made.setChildrenCollapsible(False)
-    for part in parts:
-        made.addWidget(part)
-    return made

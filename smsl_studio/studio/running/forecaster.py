@@ -1,0 +1,130 @@
+"""Forecasts beside a run: an operation is tried in a twin of its world, in another thread and, in a
+world of plugins, in another process of low priority. The run never waits for it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+
+from PySide6.QtCore import QObject, QTimer, Signal
+
+from smsl_studio.blueprint.address import Address
+from smsl_studio.dispatch.execution.status import DispatchStatus
+from smsl_studio.front.request import RunRequest
+from smsl_studio.library.loaded import Loaded
+from smsl_studio.library.prediction import Prediction
+from smsl_studio.studio.base.beside import Beside
+from smsl_studio.world.engines import TABLE
+
+QUIET = 150
+"""Milliseconds without a change before a forecast begins."""
+
+Values = Mapping[str, str | None]
+
+
+@dataclass(frozen=True)
+class ForecastView:
+    """The forecast of an operation from a configuration, None while it is looked for.
+
+    ``before`` has the sensed facts (``SB/digit``) at the moment when it was asked for.
+    """
+
+    edge: Address
+    before: Values
+    found: Prediction | None = None
+
+
+class Forecaster(QObject):
+    """Keeps one forecast: that of the operation that was asked for last."""
+
+    changed = Signal()
+
+    def __init__(self, parent: QObject) -> None:
+        super().__init__(parent)
+        from smsl_studio.front.twin import Twin
+
+        self.view: ForecastView | None = None
+        self._make = Twin
+        self._twin: Twin | None = None
+        self._request: RunRequest | None = None
+        self._key: tuple[object, ...] | None = None
+        self._wanted: tuple[Mapping[str, str], Address] | None = None
+        self._beside = Beside(self)
+        self._quiet = QTimer(self)
+        self._quiet.setSingleShot(True)
+        self._quiet.setInterval(QUIET)
+        self._quiet.timeout.connect(self._look)
+
+    def follow(
+        self,
+        asked: tuple[RunRequest, Loaded | None] | None,
+        status: DispatchStatus | None,
+        edge: Address | None,
+    ) -> None:
+        """Forecast this operation of this run, if that is not known or looked for already. None of
+        the three ends it.
+        """
+        if asked is None or status is None or edge is None:
+            self.clear()
+            return
+        request, loaded = asked
+        key = (request, tuple(status.configuration.items()), edge)
+        if key == self._key:
+            return
+        if request is not self._request:
+            self._leave()
+            self._request = request
+            host = "local" if request.world == TABLE else "process"
+            self._twin = self._make(replace(request, host=host), loaded, gentle=True)
+        self._key, self._wanted = key, (dict(status.configuration), edge)
+        self.view = ForecastView(edge, values_of(status))
+        self._beside.drop()
+        self._quiet.start()
+        self.changed.emit()
+
+    def anew(self, status: DispatchStatus | None) -> None:
+        """Look again for the forecast that is shown."""
+        if self.view is not None and status is not None and self._wanted is not None:
+            self.view = ForecastView(self.view.edge, values_of(status))
+            self._beside.drop()
+            self._quiet.start()
+            self.changed.emit()
+
+    def clear(self) -> None:
+        """Show no forecast, and give the world up."""
+        if self._key is not None or self._twin is not None:
+            self._leave()
+            self._key = self._wanted = self._request = self.view = None
+            self.changed.emit()
+
+    def close(self) -> None:
+        """Give everything up; no further result arrives."""
+        self._leave()
+        self._beside.stop()
+
+    def _leave(self) -> None:
+        self._quiet.stop()
+        self._beside.drop()
+        twin, self._twin = self._twin, None
+        if twin is not None:
+            # In the thread that uses it.
+            self._beside.do(twin.close, lambda _: None)
+
+    def _look(self) -> None:
+        twin, wanted = self._twin, self._wanted
+        if twin is not None and wanted is not None:
+            self._beside.do(lambda: twin.predict(*wanted), self._take)
+
+    def _take(self, found: Prediction) -> None:
+        if self.view is not None:
+            self.view = replace(self.view, found=found)
+            self.changed.emit()
+
+
+def values_of(status: DispatchStatus) -> Values:
+    """Return the value of each sensed fact (None: unknown), by ``SB/digit``."""
+    return {
+        f"{Address(branch)}/{digit}": one.value
+        for (branch, digit), one in sorted(status.scene.readings.items())
+        if one.sensed
+    }
