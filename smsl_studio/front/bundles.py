@@ -57,10 +57,11 @@ op   an operation that has begun    at   the state in which each State Branch is
 a    the address of an operation    no   refuses the evidence if what follows is so, and says why
 
 A Map is a table: m.key is its value, or an empty Map if it has none. e.a is the address of an
-event, e.at its configuration. What the story notes of a step: acts (a function is at work), bad (a
-check or an operation has failed), op.code (its function), op.how (its outcome), op.to (where it
-leads), op.new (where it leaves every State Branch), moved (the State Branches that have moved in
-this step), veto (what somebody does not want just now), closed (what a guard closes).
+event, h the header of a log, p the policy. What the story notes of a step: acts (a function is at
+work), bad (a check or an operation has failed), op.code (its function), op.how (its outcome), op.to
+(where it leads), op.new (where it leaves every State Branch), moved (the State Branches that have
+moved in this step), veto (what somebody does not want just now), bar (what a guard closes), hand
+(somebody goes step by step), end (when it is over, because somebody has said so).
 
 sha, once, read, plain, text, parts, fact and facts read and write texts; text writes an address,
 which has one spelling, and raw_of reads base64, which has one too. fits asks whether a value has
@@ -80,19 +81,21 @@ The story: tell tells a log again, story is one that has not begun. What a bluep
 operation runs, one level down, is a story of its own, told in the same way. take asks what each
 event needs: time goes on only where something takes time, and an effect has its command, at the
 same time and of the same person. An event that holds, stops or locates the run ends its step.
-A command that was carried out owes its effect before anything else. Then on_EVENT asks what this
-event needs, and notes what it changes. arrived: nothing goes on, and the goals that were told still
-hold. same writes the name of a person in one way, without what nobody sees. each asks whether every
-wish has an offer of its own: it has if no kinds of wishes are more than the offers for them (the
-theorem of Hall). It refuses more than 16 kinds.
+WORDS has all commands, each with the event that it owes before anything else: a line if it owes
+none, and a question mark if that event may also come without it. The last six have a value. Then
+on_EVENT asks what this event needs, and notes what it changes. arrived: nothing goes on, and the
+goals that were told still hold. same writes the name of a person in one way, without what nobody
+sees. each asks whether every seat has a person of its own who may take it: it has if, of any kinds
+k of seats, there are no more than people for them (the theorem of Hall). It refuses more than 16
+kinds.
 
-The records: when reads a time. trusted reads the policy and whose keys count, ring names keys
-by their sums, opened checks a signature. void: a key or a record is revoked, or not valid at
-that time. recorder says who has signed the head of a log. judge counts the last word of each
-person, in the order of signing, and asks who has met each condition.
+The records: when reads a time. trusted reads the policy, whose numbers must be possible, and whose
+keys count, ring names keys by their sums, opened checks a signature. void: a key or a record is
+revoked, or not valid at that time. recorder says who has signed the head of a log. judge counts
+the last word of each person, in the order of signing, and asks who has met each condition.
 
-The folder: real refuses links and what is no file, files and load find files, main checks
-everything. A file that is absent, or a link, counts as empty.
+The folder: files and load find what is a file and no link, main checks everything. A file that is
+absent, or a link, counts as empty.
 """
 
 

@@ -19,7 +19,9 @@ from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.front.bundles import bundled
 from smsl_studio.front.signed_files import SignedPaths
 from smsl_studio.front.verifier import content_texts, verifier_file
+from smsl_studio.inspection.approval.policy import read_policy
 from smsl_studio.inspection.approval.record_file import SignedRecord, written_record_file
+from smsl_studio.inspection.approval.refusal import Refusal
 from smsl_studio.inspection.approval.rule_code import common_code
 from smsl_studio.inspection.approval.statement import (
     PAYLOAD_TYPE,
@@ -156,3 +158,30 @@ def test_a_pipe_in_the_folder_does_not_stop_it(place: str, tmp_path: Path) -> No
     command = [sys.executable, "verify.py"]
     done = subprocess.run(command, cwd=tmp_path, capture_output=True, check=False, timeout=60)
     assert (done.returncode, done.stderr) == (0 if place == LOG else 1, b"")
+
+
+NUMBERS = ("-5", "0", "1.5", "true", "'two'", "1001", "9" * 30, "inf", "[2]")
+"""Numbers of persons that no policy has."""
+DAYS = ("true", "'year'", "-1", "0", "inf", "nan", "[1]")
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        *(f"persons = {one}" for one in NUMBERS),
+        *(f"roles = {{ engineer = {one} }}" for one in NUMBERS),
+        *(f"valid_days = {one}" for one in DAYS),
+    ],
+)
+def test_a_policy_with_a_number_that_is_none_is_refused_by_both(line: str) -> None:
+    wrong = f'{line}\nregister_key = "{base64_text(EVE.public)}"\n'
+    assert not is_believed({**whole(), "policy.toml": wrong.encode()})
+    told = read_policy(Path("policy.toml"), f'{wrong}register = "register.json"\n'.encode())
+    assert isinstance(told, Refusal)
+    assert told.code == "policy_invalid"
+
+
+def test_a_policy_with_numbers_is_believed() -> None:
+    for line in ("persons = 2", "roles = { engineer = 1, surgeon = 1 }", "valid_days = 9999.5"):
+        fair = f'{line}\nregister_key = "{base64_text(EVE.public)}"\n'
+        assert is_believed({**whole(), "policy.toml": fair.encode()}), line
