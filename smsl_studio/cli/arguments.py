@@ -121,10 +121,10 @@ def add_seed_and_host(parser: ArgumentParser) -> None:
 
 def host_of(options: argparse.Namespace) -> str:
     """Return the host of a run: the named one, else a child process for worlds of plugins."""
-    from smsl_studio.world.engines import TABLE
+    from smsl_studio.world.engines import REMOTE, TABLE
 
     chosen: str | None = options.host
-    return chosen or ("local" if options.world == TABLE else "process")
+    return chosen or ("local" if options.world in (TABLE, REMOTE) else "process")
 
 
 def _limit(text: str) -> int:

@@ -95,6 +95,15 @@ def add_arguments(parser: ArgumentParser) -> None:
         help="how to log in at the broker, with TLS: a login file (see: nodes make-site)",
     )
     parser.add_argument(
+        "--address",
+        default="",
+        metavar="ADDRESS",
+        help="with --world remote: where the program listens, unix:PATH or 127.0.0.1:PORT",
+    )
+    parser.add_argument(
+        "--token-file", default="", metavar="FILE", help="the token that this program asks for"
+    )
+    parser.add_argument(
         "--passphrase-file",
         metavar="FILE",
         help="with --log: the passphrase of the recorder's key, which signs the log (else "
@@ -185,6 +194,8 @@ def _execute(options: argparse.Namespace, told: _ToldEvents) -> int:
         passphrase=words,
         robot=options.robot,
         forecast=options.forecast,
+        address=options.address,
+        token_file=options.token_file,
     )
     for unbound in done.unbound:
         note(unbound)

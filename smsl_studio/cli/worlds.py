@@ -10,7 +10,7 @@ from smsl_studio.cli.output import Output
 from smsl_studio.cli.plugins import fault_as_json, print_waiting, waiting_as_json
 from smsl_studio.host.plugin_offers import describe
 from smsl_studio.legible import one_line
-from smsl_studio.world.engines import TABLE
+from smsl_studio.world.engines import REMOTE, TABLE
 
 
 def add_arguments(parser: ArgumentParser) -> None:
@@ -21,16 +21,7 @@ def add_arguments(parser: ArgumentParser) -> None:
 def execute(options: argparse.Namespace, out: Output) -> int:
     """Print every world, then the plugins that were not loaded, with the reasons."""
     loaded = describe()
-    worlds: list[dict[str, Any]] = [
-        {
-            "name": TABLE,
-            "engine": TABLE,
-            "hardware": False,
-            "plugin": None,
-            "location": None,
-            "robots": [],
-        }
-    ]
+    worlds = [_built_in(TABLE, TABLE)]
     for plugin in loaded.plugins:
         for entry in plugin.library.worlds.values():
             worlds.append(
@@ -43,6 +34,7 @@ def execute(options: argparse.Namespace, out: Output) -> int:
                     "robots": list(loaded.robots(entry.name)),
                 }
             )
+    worlds.append(_built_in(REMOTE, "a program elsewhere"))
     if options.format == "json":
         faults = [fault_as_json(fault) for fault in loaded.faults]
         waiting = [waiting_as_json(found) for found in loaded.waiting]
@@ -59,3 +51,14 @@ def execute(options: argparse.Namespace, out: Output) -> int:
     for fault in loaded.faults:
         out.line(one_line(str(fault)))
     return 0
+
+
+def _built_in(name: str, engine: str) -> dict[str, Any]:
+    return {
+        "name": name,
+        "engine": engine,
+        "hardware": False,
+        "plugin": None,
+        "location": None,
+        "robots": [],
+    }

@@ -53,6 +53,7 @@ if TYPE_CHECKING:
     from smsl_studio.front.routes import plan_route
     from smsl_studio.front.runs import Run, open_request, open_run, run, run_request
     from smsl_studio.front.script.lines import read_script
+    from smsl_studio.front.served_worlds import serve
     from smsl_studio.front.shapes import diff_behaviour, extract, flatten, identify, inline
     from smsl_studio.front.signatures import ApprovalRequest, approve
     from smsl_studio.front.single_edge import try_edge
@@ -126,6 +127,7 @@ __all__ = [
     "revoke_key",
     "run",
     "run_request",
+    "serve",
     "shown_stored",
     "sign_register",
     "sweep",
@@ -193,6 +195,7 @@ VERBS = {
                    ("bundle",)),
     "nodes": Verb("make a site of sensor nodes with certificates, or run its sample nodes",
                   ("make_site", "open_nodes")),
+    "serve": Verb("serve a simulated world to a program elsewhere", ("serve",)),
     "worlds": Verb("list the worlds there are", ("worlds",)),
     "plugins": Verb("list the plugins there are; allow or forbid one",
                     ("plugins", "allow_plugin", "forbid_plugin")),
@@ -224,6 +227,7 @@ _HOMES = {
     "run_request": "runs",
     "run": "runs",
     "open_run": "runs",
+    "serve": "served_worlds",
     "worlds": "hosts",
     "worlds_for": "suitable_worlds",
     "sweep": "sweeps",

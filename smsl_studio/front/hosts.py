@@ -5,21 +5,27 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.dispatch.nested import NestedHost
+from smsl_studio.errors import UsageError
 from smsl_studio.front.procedure_parts import runnable_procedures
 from smsl_studio.front.request import RunRequest
 from smsl_studio.host.plugin_offers import describe
 from smsl_studio.host.protocol import Host
 from smsl_studio.library.loaded import Loaded
 from smsl_studio.library.loading import discover, refuse_hardware
-from smsl_studio.world.engines import TABLE
+from smsl_studio.world.engines import REMOTE, TABLE
 
 if TYPE_CHECKING:
     from smsl_studio.host.spare import Spare
+
+
+CONNECT = 3.0
+"""The wall time (s) in which a program elsewhere must let this one connect."""
 
 
 def make_host(
@@ -46,6 +52,8 @@ def _bare(
     blueprint, world, seed = request.blueprint, request.world, request.seed
     trust = request.trust
     may_move = trust is not None
+    if world == REMOTE:
+        return _elsewhere(request, parts)
     if request.host == "local":
         from smsl_studio.host.local import LocalHost
 
@@ -70,6 +78,25 @@ def _bare(
         only, signed=signed, bindings=file, hardware=may_move, parts=parts, robot=request.robot
     )
     return ProcessHost(blueprint, world, seed, request.plugin_paths, terms, spare)
+
+
+def _elsewhere(request: RunRequest, parts: tuple[Blueprint, ...]) -> Host:
+    """Return the host of a world that is a program somewhere else. Nothing is connected yet."""
+    from smsl_studio.channel.address import read_address, read_token
+    from smsl_studio.host.asked_program import ProgramTerms
+    from smsl_studio.host.program_host import ProgramHost
+
+    if not request.address:
+        words = f"the world {REMOTE!r} needs the address of a program"
+        raise UsageError(words, advice="Say --address unix:PATH, or --address 127.0.0.1:PORT.")
+    where = read_address(request.address)
+    terms = ProgramTerms(
+        partial(where.connected, CONNECT),
+        where.text,
+        read_token(where, request.token_file),
+        barred="policy_unmet" if request.trust is None else request.trust.barred,
+    )
+    return ProgramHost(request.blueprint, REMOTE, request.seed, terms, parts)
 
 
 def make_ready(
@@ -104,13 +131,13 @@ def known_world(
     host: str = "local",
     signed: Mapping[str, str] | None = None,
 ) -> Loaded | None:
-    """Find the plugins of a world. None for the table world, which needs none.
+    """Find the plugins of a world. None for the worlds table and remote, which need none.
 
     ``signed`` has the SHA-256 of signed code, by its location; then no other code is loaded. For
     the host ``process`` no plugin code runs in this process. WorldError if there is no such world;
     it suggests a similar name.
     """
-    if world == TABLE:
+    if world in (TABLE, REMOTE):
         return None
     if host == "local":
         # Where code is signed, no other plugin runs beside it: it could change what was signed.
@@ -131,9 +158,10 @@ def with_robot(request: RunRequest, loaded: Loaded | None) -> RunRequest:
 
 
 def worlds(plugin_paths: Sequence[Path] = ()) -> tuple[str, ...]:
-    """Return the names of all worlds, ``table`` first. No plugin's code runs in this process.
+    """Return the names of all worlds, ``table`` first and ``remote`` last. No plugin's code runs in
+    this process.
 
     >>> print(*worlds())
-    table chess hanoi hanoi-mujoco registration river
+    table chess hanoi hanoi-mujoco registration river remote
     """
-    return describe(plugin_paths).worlds
+    return (*describe(plugin_paths).worlds, REMOTE)

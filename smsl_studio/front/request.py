@@ -18,7 +18,7 @@ from smsl_studio.front.run_trust import RunTrust
 from smsl_studio.front.script.addresses import Written, operations_at, states_at
 from smsl_studio.front.script.script import Script
 from smsl_studio.front.supervisors import supervisor_of
-from smsl_studio.world.engines import TABLE
+from smsl_studio.world.engines import REMOTE, TABLE
 
 Json = Any
 Several = Written | Iterable[Written] | None
@@ -50,6 +50,8 @@ class RunRequest:
     the log (see ``log_seals``). ``robot`` is the robot to build the world with; empty means the
     usual one of the world. ``forecast`` is the level at which each operation is tried in a
     simulated world before it begins (see ``foresight``): show, ask or hold; empty means never.
+    ``address`` (``unix:PATH`` or ``HOST:PORT``) is where the program of the world remote listens,
+    and ``token_file`` has the token that it asks for.
 
     >>> RunRequest(read("hanoi.json"), goals=("State_ccc",)).checked().goals
     (Address(branch='SB1', state='State_ccc', operation=''),)
@@ -83,6 +85,8 @@ class RunRequest:
     seal: Seal | None = field(default=None, repr=False)
     robot: str = ""
     forecast: str = ""
+    address: str = ""
+    token_file: str = ""
 
     @property
     def asks_approval(self) -> bool:
@@ -104,6 +108,13 @@ class RunRequest:
         """
         _one_of(self.host, HOSTS, "host")
         _one_of(self.on_mismatch, ON_MISMATCH, "on_mismatch")
+        if (self.address or self.token_file) and self.world != REMOTE:
+            words = f"an address is for the world {REMOTE!r}, not for {self.world!r}"
+            raise UsageError(words, advice="Say --world remote, or leave the address out.")
+        forecast = self.forecast or self._implied_forecast()
+        if forecast and self.world == REMOTE:
+            words = "what a program elsewhere does cannot be tried beforehand"
+            raise UsageError(words, advice="Leave the forecast out.")
         levels = {**self.levels, **(self.script.levels if self.script else {})}
         return replace(
             self,
@@ -112,7 +123,7 @@ class RunRequest:
             avoid=operations_at(self.blueprint, self.avoid),
             levels=levels,
             supervisor=supervisor_of(Levels(self.blueprint, levels), self._named()),
-            forecast=self.forecast or self._implied_forecast(),
+            forecast=forecast,
         )
 
     def _implied_forecast(self) -> str:
@@ -144,6 +155,7 @@ class RunRequest:
             "supervisor": self.supervisor.name if self.supervisor else self.person,
             **({"robot": self.robot} if self.robot else {}),
             **({"forecast": self.forecast} if self.forecast else {}),
+            **({"address": self.address} if self.address else {}),
         }
 
 

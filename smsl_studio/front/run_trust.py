@@ -35,6 +35,14 @@ class RunTrust:
     hardware: bool = False
     badge: str = ""
 
+    @property
+    def barred(self) -> str:
+        """The code for which a world is refused that says only when it is reached that it is
+        hardware. Empty if a policy is met that names a register."""
+        if self.refusals or not self.header.get("policy"):
+            return "policy_unmet"
+        return "" if self.header.get("register") else "register_invalid"
+
     def must_hold(self) -> None:
         """Raise RunRefused if there are refusals."""
         if self.refusals:

@@ -40,7 +40,7 @@ from smsl_studio.library.loaded import Loaded
 from smsl_studio.library.table_faults import table_faults
 from smsl_studio.runlog.events import Event, RunFinished
 from smsl_studio.stop import Stopped, heeding, whole
-from smsl_studio.world.engines import TABLE
+from smsl_studio.world.engines import REMOTE, TABLE
 
 if TYPE_CHECKING:
     from smsl_studio.host.spare import Spare
@@ -162,7 +162,7 @@ def open_request(
         findings=to_accept(blueprint, chosen),
         left_out=left_out(blueprint),
         approved=trust is not None,
-        hardware=trust is not None and trust.hardware,
+        hardware=trust is not None and (trust.hardware or _may_be_hardware(checked)),
         met=trust.met if trust is not None else (),
         foresight=_foresight(checked, loaded),
     )
@@ -176,6 +176,11 @@ def open_request(
             supervisor.close()
         raise
     return Dispatcher(blueprint, host, terms, levels=chosen, supervisor=supervisor)
+
+
+def _may_be_hardware(request: RunRequest) -> bool:
+    """Whether a program elsewhere may be hardware. Its host asks it before it is opened."""
+    return request.world == REMOTE and request.trust is not None and not request.trust.barred
 
 
 def _foresight(request: RunRequest, loaded: Loaded | None) -> Foresight | None:
@@ -212,6 +217,8 @@ def run(
     passphrase: bytes = b"",
     robot: str = "",
     forecast: str = "",
+    address: str = "",
+    token_file: str = "",
 ) -> Run:
     """Run a blueprint without a window to its end, and return what happened.
 
@@ -224,8 +231,8 @@ def run(
     with such sensors ``speed`` is at most 1. ``policy`` is a trust policy, and ``record`` a record:
     with either the run is refused unless the blueprint is approved. ``passphrase`` opens the
     recorder's key of this computer, which signs the head of the log; without it
-    ``SMSL_PASSPHRASE`` counts, and without both the log is not signed. ``RunRequest`` explains the
-    other arguments.
+    ``SMSL_PASSPHRASE`` counts, and without both the log is not signed. ``address`` and
+    ``token_file`` are for the world remote. ``RunRequest`` explains the other arguments.
 
     SealError if the passphrase is wrong. AddressError, UsageError, PluginError and WorldError for
     names that do not exist. ReadError if the script injects a fault that the world does not have.
@@ -261,6 +268,8 @@ def run(
         seal=None if log is None else seal_of_logs(passphrase),
         robot=robot,
         forecast=forecast,
+        address=address,
+        token_file=token_file,
     )
     return run_request(request, on_event, stop_when)
 
@@ -294,11 +303,7 @@ def run_request(
             request, loaded = _with_plugins(request)
             request = with_robot(request, loaded)
             checked = request.checked()
-            if script is not None and not (request.trust and request.trust.refusals):
-                world, drawn = request.world, request.blueprint
-                check_faults(
-                    script, world, loaded.faults_of(world) if loaded else table_faults(drawn)
-                )
+            _refuse_unknown_faults(request, loaded)
             refusal: RunRefused | None = None
             try:
                 dispatcher = open_request(checked, loaded)
@@ -330,6 +335,15 @@ def run_request(
     return replace(done, trust=request.trust.words) if request.trust is not None else done
 
 
+def _refuse_unknown_faults(request: RunRequest, loaded: Loaded | None) -> None:
+    """Raise ReadError if the script injects a fault that the world does not have. What a program
+    elsewhere offers is not known before it is opened."""
+    script, world, drawn = request.script, request.world, request.blueprint
+    if script is None or world == REMOTE or (request.trust and request.trust.refusals):
+        return
+    check_faults(script, world, loaded.faults_of(world) if loaded else table_faults(drawn))
+
+
 def trusted_request(request: RunRequest) -> RunRequest:
     """Return the request, with the answer whether it may start if it needs an approval."""
     if request.trust is not None or not request.asks_approval:
@@ -348,7 +362,7 @@ def _with_plugins(request: RunRequest) -> tuple[RunRequest, Loaded | None]:
     world, paths, trust = request.world, request.plugin_paths, request.trust
     if trust is None:
         return request, known_world(world, paths, request.host)
-    if trust.refusals or world == TABLE:
+    if trust.refusals or world in (TABLE, REMOTE):
         return request, None
     if request.host != "local":
         return request, trust.loaded

@@ -16,7 +16,7 @@ from smsl_studio.library.bindings import bind
 from smsl_studio.library.bindings_file import BindingsFile, bindings_beside
 from smsl_studio.library.loaded import Loaded
 from smsl_studio.library.plugin_code import code_at
-from smsl_studio.world.engines import TABLE
+from smsl_studio.world.engines import REMOTE, TABLE
 
 
 @dataclass(frozen=True)
@@ -43,6 +43,9 @@ NOWHERE = WorldSurvey()
 
 def surveyed(blueprint: Blueprint, world: str, plugin_paths: Sequence[Path] = ()) -> WorldSurvey:
     """Return what a world has for a blueprint. No plugin code runs in this process."""
+    if world == REMOTE:
+        # Its code is elsewhere and is not signed. What it offers is known when it is opened.
+        return NOWHERE
     try:
         loaded = loaded_for(world, plugin_paths)
         file = bindings_beside(blueprint.file)

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from smsl_studio.errors import Place, UsageError, WorldError, did_you_mean
 from smsl_studio.library.arm_table import arm_named
 from smsl_studio.library.stations import reaches
-from smsl_studio.world.engines import TABLE
+from smsl_studio.world.engines import REMOTE, TABLE
 
 if TYPE_CHECKING:
     from smsl_studio.library.entries import FaultEntry, WorldEntry
@@ -64,6 +64,9 @@ class Loaded:
     def world(self, name: str) -> tuple[Plugin, WorldEntry]:
         """Return the plugin that offers a world, and its entry. WorldError if no plugin offers it.
         The advice has a similar name if there is one."""
+        if name == REMOTE:
+            words = "the world 'remote' is a program elsewhere, which only a run reaches"
+            raise WorldError(words, advice="Say: run FILE --world remote --address ADDRESS.")
         for plugin in self.plugins:
             if name in plugin.library.worlds:
                 return plugin, plugin.library.worlds[name]

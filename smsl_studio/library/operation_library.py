@@ -58,7 +58,7 @@ from smsl_studio.library.terms import (
     words_of_values,
 )
 from smsl_studio.world.bodies import Robot
-from smsl_studio.world.engines import ENGINES, TABLE, USUAL
+from smsl_studio.world.engines import ENGINES, REMOTE, TABLE, USUAL
 
 __all__ = ("STOP_MODES", "Availability", "OperationLibrary")
 
@@ -112,7 +112,7 @@ class OperationLibrary:
         hardware, settle = truth(hardware, "hardware"), seconds(settle, "settle", zero=True)
         known = tuple(proper_name(value, "a value") for value in values)
         arms = tuple(dict.fromkeys(proper_name(robot, "a robot") for robot in robots))
-        if name == TABLE or name in self.worlds:
+        if name in (TABLE, REMOTE) or name in self.worlds:
             raise PluginError(f"the name {name!r} cannot be given to a world: it is taken")
 
         def keep(function: FunctionT) -> FunctionT:

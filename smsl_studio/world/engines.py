@@ -11,6 +11,8 @@ if TYPE_CHECKING:
     from smsl_studio.world.protocol import World
 
 BULLET, MUJOCO, TABLE = "bullet", "mujoco", "table"
+REMOTE = "remote"
+"""The world that is a program somewhere else. It has no engine here."""
 ENGINES = (BULLET, MUJOCO, TABLE)
 USUAL = BULLET
 """The engine of a plugin's world that names none."""

@@ -28,7 +28,7 @@ VALUES = {
 FILES = {"diff": ("FILE", "OTHER"), "merge": ("FILE", "FILE", "OTHER", "-o", "OUT.json")}
 """The words of the commands that take more than one file."""
 NO_BLUEPRINT = ("open", "replay", "worlds", "plugins", "git-setup", "keys", "store", "nodes",
-                "generate")  # fmt: skip
+                "generate", "serve")  # fmt: skip
 
 
 def calls() -> dict[str, list[str]]:

@@ -21,6 +21,7 @@ FLOORS: dict[str, float] = {
     "seal": 1,
     "blueprint": 2,
     "graph": 3,
+    "channel": 3,
     "world": 3,
     "runlog": 3,
     "library": 4,
