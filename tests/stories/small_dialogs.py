@@ -60,7 +60,8 @@ def by_action(windows: Windows, window: Window) -> Iterator[tuple[str, QDialog]]
     """The dialogs that a command of the window opens."""
     # The help comes first: over a dialog that blocks it would belong to that dialog.
     for action in ("help_pages", "shortcuts", "about", "monitor", "levels", "persons",
-                   "compare_saved", "export_picture", "print", "settings"):  # fmt: skip
+                   "supervisors", "compare_saved", "export_picture", "print",
+                   "settings"):  # fmt: skip
         known = set(window.findChildren(QDialog))
         # The command opens the monitor in a window of its own beside Supervise.
         window.set_mode("supervise" if action == "monitor" else "draw")

@@ -70,7 +70,7 @@ def test_stop_is_whole_in_every_mode_on_a_screen_of_1280_by_720(scale: str, tmp_
 def test_every_dialog_is_whole_on_a_screen_of_1280_by_720(scale: str, tmp_path: Path) -> None:
     told = sit_at(1280, 720, scale, tmp_path, "small_dialogs")
     screen = told.pop("screen")
-    assert len(told) == 15
+    assert len(told) == 16
     for name, dialog in told.items():
         assert inside(dialog["frame"], screen), (name, dialog, screen)
         assert dialog["cut"] == [], name

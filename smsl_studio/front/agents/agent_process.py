@@ -97,6 +97,10 @@ class AgentProcess:
             return ANSWER.decode(body)
         except (TimeoutError, EOFError, OSError, NoAnswer, Unfit) as error:
             return ASK, f"it {self._lose(child, error, limit)}"
+        except BaseException:
+            # Its answer would come to the next question.
+            self.close()
+            raise
 
     def close(self) -> None:
         """End the process. A second call does nothing."""

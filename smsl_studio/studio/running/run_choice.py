@@ -7,13 +7,11 @@ from dataclasses import dataclass, field, replace
 from datetime import datetime
 from pathlib import Path
 
-from smsl_studio.blueprint.levels import Levels
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.front.log_seals import seal_of_logs
 from smsl_studio.front.recorder import new_recording, start_log
 from smsl_studio.front.request import RunRequest
 from smsl_studio.front.script.script import Script
-from smsl_studio.front.supervisors import supervisor_of
 from smsl_studio.library.loaded import Loaded
 from smsl_studio.runlog.log import RunLog
 
@@ -40,6 +38,10 @@ class RunChoice:
     """What is done by hand in this run, one act after the other."""
     robot: str = ""
     """The robot of the world; empty means its usual one."""
+    agents: tuple[str, ...] = ()
+    """Automatic supervisors by name."""
+    forecast: str = ""
+    """The level of forecasts; empty means none."""
 
     def request(self, blueprint: Blueprint) -> RunRequest:
         """The request for this run, with a person present to answer.
@@ -57,13 +59,15 @@ class RunChoice:
             script=self.script,
             policy=self.policy,
             robot=self.robot,
+            agents=self.agents,
+            forecast=self.forecast,
         )
 
 
 def log_of(request: RunRequest, loaded: Loaded | None, folder: Path, who: str) -> RunLog:
     """Start the log of a run; raises SaveError if it cannot be written, and SealError if the
     recorder's key does not open."""
-    agent = supervisor_of(Levels(request.blueprint, request.levels))
+    asked = request.checked()
     path = new_recording(folder, request.blueprint.file, datetime.now())
     seal = seal_of_logs()
-    return start_log(replace(request, log=path, supervisor=agent, person=who, seal=seal), loaded)
+    return start_log(replace(asked, log=path, person=who, seal=seal), loaded)

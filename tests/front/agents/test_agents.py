@@ -23,6 +23,7 @@ from smsl_studio.runlog.events import (
     RiskEstimated,
     TakenOver,
 )
+from smsl_studio.stop import Stopped, heeding
 
 WAYS = (
     b'{"SB": {"_operations": {"Near": {"risk": "high"}, "Far": {"risk": "low", "cost": 5},'
@@ -261,3 +262,21 @@ def test_plugins_are_listed_with_their_supervisors(paths: tuple[Path, ...]) -> N
     (plugin,) = (one for one in describe(paths).plugins if one.name == "odd")
     told = {one.name: list(one.signature.types) for one in plugin.library.supervisors.values()}
     assert told == {"chosen": ["answer", "spare"], "hangs": [], "dies": [], "lies": []}
+
+
+def test_a_question_that_was_broken_off_does_not_answer_the_next_one(
+    paths: tuple[Path, ...],
+) -> None:
+    process = AgentProcess([asked_agent("chosen:answer=veto"), asked_agent("chosen")], paths)
+    process.open()
+    try:
+        with pytest.raises(Stopped), heeding(_stop):
+            process.ask(0, view())
+        assert process.ask(1, view()) == ("approve", "as told at SB/State_a/Near")
+        assert process.ask(0, view())[0] == "veto"
+    finally:
+        process.close()
+
+
+def _stop() -> None:
+    raise Stopped

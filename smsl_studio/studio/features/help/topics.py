@@ -45,6 +45,8 @@ PARTS = {
     "WorldView": _panel("World"),
     "TilesView": _window("a-run-without-physics"),
     "FaultDialog": _window("a-run-without-physics", "Faults"),
+    "SupervisorsDialog": HelpPlace("supervision.md", "automatic-supervisors-by-name"),
+    "ForecastStrip": HelpPlace("supervision.md", "forecasts"),
     "PossiblePanel": _panel("Possible now"),
     "HoldCard": HelpPlace("supervision.md", "when-it-cannot-go-on"),
     "FactsTable": HelpPlace("monitoring.md", "from-sample-to-fact"),

@@ -24,6 +24,9 @@ class Trials(Protocol):
     def inject_fault(self) -> None:
         """Open the dialog for a fault."""
 
+    def choose_supervisors(self) -> None:
+        """Open the dialog for automatic supervisors."""
+
     def has_script(self) -> bool:
         """Whether something was done by hand in the run that is shown."""
 
@@ -75,6 +78,9 @@ def run_actions(
         Action("inject_fault", "Inject a fault…", trials.inject_fault, "Run", "warning",
                ("Ctrl+Shift+I",), trials.can_inject, section=3,
                tip="Let something go wrong in the world, now or at a chosen moment"),
+        Action("supervisors", "Automatic supervisors…", trials.choose_supervisors, "Run", "shield",
+               (), can_run, section=3,
+               tip="Who decides on each operation of the next run, and what a forecast does"),
         Action("save_script", "Save as script…", trials.save_script, "Run", "save", (),
                trials.has_script, section=3,
                tip="Save what was done by hand in this run, so that it can be done again"),

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QEventLoop, QTimer
+from PySide6.QtCore import QEventLoop, Qt, QTimer
 from PySide6.QtWidgets import QWidget
 
 from smsl_studio.front.views.phase_words import outcome_words, phase_words
@@ -208,6 +208,21 @@ class RunFeature(Feature):
         self.faults.show()
         self.faults.raise_()
         self.faults.activateWindow()
+
+    def choose_supervisors(self) -> None:
+        """Ask for the automatic supervisors of the next run."""
+        from smsl_studio.studio.features.run.supervisors_dialog import SupervisorsDialog
+
+        following = self.pane.next
+        dialog = SupervisorsDialog(following.supervisors, following.loaded, self._parts.window)
+        dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+
+        def take() -> None:
+            """Keep what was chosen for the next run."""
+            following.supervisors = dialog.choice
+
+        dialog.accepted.connect(take)
+        dialog.open()
 
     def has_script(self) -> bool:
         """Whether something was done by hand in the run that is shown."""

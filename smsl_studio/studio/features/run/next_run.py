@@ -10,6 +10,7 @@ from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.front.views.states import Choices, choices, short_name
 from smsl_studio.library.loaded import Loaded
 from smsl_studio.studio.document.session import Session
+from smsl_studio.studio.features.run.supervisor_choice import NOBODY
 from smsl_studio.studio.features.run.transport import Transport
 from smsl_studio.studio.running.next_levels import NextLevels
 from smsl_studio.studio.running.run_choice import RunChoice
@@ -40,6 +41,8 @@ class NextRun:
         self.loaded: Loaded | None = None
         self.step: tuple[tuple[str, ...], str] | None = None
         """Start states and goal of one step that somebody wants to see; None for a usual run."""
+        self.supervisors = NOBODY
+        """The automatic supervisors that a person chose."""
 
     @property
     def wanted(self) -> Wanted | None:
@@ -71,6 +74,8 @@ class NextRun:
             by_hand=transport.by_hand.isChecked(),
             levels=self._levels.set,
             robot=self.robot,
+            agents=self.supervisors.agents,
+            forecast=self.supervisors.forecast,
         )
 
     @property
