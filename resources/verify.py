@@ -1,7 +1,7 @@
 """Checks the evidence in this folder, as README.txt explains."""
 import sys; del sys.path[:__name__ == "__main__"]  # no module of this folder is loaded
 import base64, datetime as dt, hashlib, itertools, json, pathlib, tomllib, unicodedata as signs
-NOT_CHECKED = "reception over MQTT or from measures", "costs of routes"
+NOT_CHECKED = "reception over MQTT or from measures", "costs of routes"; on_measured = lambda *_: 0
 class Map(dict):  # m.key is m["key"]
 	__getattr__, __setattr__, __missing__ = dict.__getitem__, dict.__setitem__, lambda m, key: Map()
 def no(wrong, why="it does not follow"):
@@ -186,7 +186,7 @@ def on_paused(s, e): no(s.paused); s.paused, s.held = e.event == "paused", 0
 def on_stopped(s, e): s.latch, s.by, s.held, s.ask, s.tasks = e.event, e.by, 0, 0, {}
 def on_reset(s, e): no(not s.latch); s.latch, s.paused = 0, e.event == "reset"
 def on_left_out(s, e): no(s.last.event not in "run_started left_out")
-on_measured = on_costs_changed = on_operation_refused = on_risk_estimated = lambda s, e: 0
+on_costs_changed = on_operation_refused = on_risk_estimated = on_forecast = on_measured
 HOLDS = {*"held no_route guard_lost goal_unconfirmed hazard".split()}; on_resumed = on_paused
 on_taken_over, on_given_back, on_fault_injected = on_stopped, on_reset, on_disturbed
 def on_task_opened(s, e):  # whom the blueprint names

@@ -12,7 +12,7 @@ from typing import Any
 from smsl_studio.runlog import events as run
 from smsl_studio.runlog.command_word import CommandWords
 from smsl_studio.runlog.events import Event
-from smsl_studio.runlog.regulation import NONE
+from smsl_studio.runlog.regulation import COMPARISONS, NONE
 
 LONGEST = 40
 """The largest number of operations or prices in one line. The log has all of them."""
@@ -92,16 +92,12 @@ def _risk(event: run.RiskEstimated) -> str:
     return f"{event.address} has a risk of {event.risk:.0%}: {words}"
 
 
-def _forecast(event: run.ForecastMade) -> str:
+def _forecast(event: run.ForecastTold) -> str:
     if event.verdict == NONE:
         return f"{event.address} has no forecast: {event.reason}"
-    words = f"The forecast of {event.address} {event.verdict}"
+    was = "was " if event.verdict in COMPARISONS else ""
+    words = f"The forecast of {event.address} {was}{event.verdict}"
     return f"{words}: {event.reason}" if event.reason else words
-
-
-def _compared(event: run.ForecastCompared) -> str:
-    words = "was right" if event.right else f"was wrong: {event.reason}"
-    return f"The forecast of {event.address} {words}"
 
 
 def _costs(event: run.CostsChanged) -> str:
@@ -115,8 +111,7 @@ def _costs(event: run.CostsChanged) -> str:
 WORDS: Mapping[type[Event], Callable[[Any], str]] = MappingProxyType(
     {
         run.RiskEstimated: _risk,
-        run.ForecastMade: _forecast,
-        run.ForecastCompared: _compared,
+        run.ForecastTold: _forecast,
         run.TakenOver: lambda e: "Automation is locked out; the dispatcher only observes",
         run.GivenBack: lambda e: f"Given back in {states(e.configuration)}",
         run.RunStopped: lambda e: "The run is stopped and braked",

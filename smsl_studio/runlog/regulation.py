@@ -13,8 +13,12 @@ from typing import ClassVar
 from smsl_studio.runlog.event import Event
 
 AGREES, DIFFERS, NONE = "agrees", "differs", "none"
-FORECASTS = (AGREES, DIFFERS, NONE)
-"""What a forecast says about the declared facts. ``none`` is no forecast."""
+RIGHT, WRONG = "right", "wrong"
+FORECASTS, COMPARISONS = (AGREES, DIFFERS, NONE), (RIGHT, WRONG)
+"""What a forecast says about the declared facts (``none``: there is no forecast), and what the
+facts say about it afterwards."""
+UNKNOWN = "?"
+"""The value of a fact that will be unknown."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -30,30 +34,19 @@ class RiskEstimated(Event):
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class ForecastMade(Event):
-    """A simulated world has carried out a proposed operation.
+class ForecastTold(Event):
+    """A simulated world has carried out a proposed operation, or it is known whether it was right.
 
-    ``verdict`` is ``agrees`` or ``differs`` (from what the blueprint declares), or ``none`` without
-    a forecast. ``after`` has the facts (``SB/digit``) that will change, null for unknown ones.
-    ``reason`` says what differs, or why there is no forecast.
+    Before the operation ``verdict`` is ``agrees`` or ``differs`` (from what the blueprint
+    declares), or ``none`` without a forecast, and ``facts`` has the facts (``SB/digit``) that will
+    change; ``?`` is an unknown one. After the operation it is ``right`` or ``wrong``. ``reason``
+    says what differs, or why there is no forecast.
     """
 
-    event: ClassVar[str] = "forecast_made"
+    event: ClassVar[str] = "forecast"
     address: str
     verdict: str
-    after: Mapping[str, str | None]
-    reason: str = ""
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class ForecastCompared(Event):
-    """An operation has ended, and the facts are those of its forecast, or not. ``reason`` says
-    which are not.
-    """
-
-    event: ClassVar[str] = "forecast_compared"
-    address: str
-    right: bool
+    facts: Mapping[str, str] = field(default_factory=dict)
     reason: str = ""
 
 

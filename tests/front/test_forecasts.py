@@ -27,15 +27,16 @@ from smsl_studio.runlog.events import (
     Commanded,
     Committed,
     Event,
-    ForecastCompared,
-    ForecastMade,
+    ForecastTold,
     Held,
     OperationRefused,
     OperationStarted,
     RiskEstimated,
 )
+from smsl_studio.runlog.regulation import COMPARISONS, FORECASTS
 from smsl_studio.shipped import samples_dir
 from tests.plugin_folder import blueprint_of, write_plugin
+from tests.runlog.impossible import Story
 
 SAMPLE = samples_dir() / "hanoi-2.json"
 ODD = """
@@ -104,6 +105,14 @@ def of(done: Run, kind: type[Event]) -> list[Any]:
     return [event for event in done.events if isinstance(event, kind)]
 
 
+def made(done: Run) -> list[ForecastTold]:
+    return [one for one in of(done, ForecastTold) if one.verdict in FORECASTS]
+
+
+def compared(done: Run) -> list[ForecastTold]:
+    return [one for one in of(done, ForecastTold) if one.verdict in COMPARISONS]
+
+
 def script_of(folder: Path, act: dict[str, Any], blueprint: Blueprint) -> Script:
     file = folder / "script.jsonl"
     file.write_text(json.dumps(act))
@@ -112,20 +121,19 @@ def script_of(folder: Path, act: dict[str, Any], blueprint: Blueprint) -> Script
 
 def test_each_operation_has_a_forecast_before_and_a_comparison_after() -> None:
     done = front.run(read(SAMPLE), forecast="show")
-    kinds = (ForecastMade, OperationStarted, Committed, ForecastCompared)
+    kinds = (ForecastTold, OperationStarted, Committed, ForecastTold)
     told = [type(event) for event in done.events if isinstance(event, kinds)]
     assert told == [*kinds] * 3
-    assert [e.verdict for e in of(done, ForecastMade)] == ["agrees"] * 3
-    assert of(done, ForecastMade)[0].after == {"SB1/0": "b"}
-    assert all(e.right and not e.reason for e in of(done, ForecastCompared))
+    assert [e.verdict for e in of(done, ForecastTold)] == ["agrees", "right"] * 3
+    assert made(done)[0].facts == {"SB1/0": "b"}
+    assert not any(e.reason for e in of(done, ForecastTold))
 
 
 def test_without_its_own_events_the_trace_is_that_of_a_run_without_forecasts() -> None:
     without = front.run(read(SAMPLE))
-    own = (ForecastMade, ForecastCompared)
     for level in ("show", "ask", "hold"):
         done = front.run(read(SAMPLE), forecast=level)
-        assert tuple(e for e in done.events if not isinstance(e, own)) == without.events
+        assert tuple(e for e in done.events if not isinstance(e, ForecastTold)) == without.events
 
 
 @pytest.mark.parametrize("host", ["local", "process"])
@@ -133,18 +141,18 @@ def test_a_fault_of_the_live_world_makes_the_forecast_wrong(host: str, tmp_path:
     act = {"when": "SB1/State_ba", "do": "inject", "fault": "fail"}
     script = script_of(tmp_path, act, read(SAMPLE))
     done = front.run(read(SAMPLE), forecast="hold", script=script, host=host)
-    (wrong,) = (e for e in of(done, ForecastCompared) if not e.right)
+    (wrong,) = (e for e in compared(done) if e.verdict == "wrong")
     assert wrong.address == "SB1/State_ba/Op_2c"
     assert wrong.reason == "SB1/1 is a, not c"
 
 
 def test_a_forecast_that_differs_is_told_asked_about_or_holds(odd: Callable[..., Run]) -> None:
     shown = odd("Stray", "show")
-    (made,) = of(shown, ForecastMade)
-    assert (made.verdict, made.after) == ("differs", {"SB/0": "c"})
-    assert made.reason.startswith("SB/0 will be c, not b")
+    (one,) = made(shown)
+    assert (one.verdict, one.facts) == ("differs", {"SB/0": "c"})
+    assert one.reason.startswith("SB/0 will be c, not b")
     assert of(shown, OperationStarted)
-    assert [e.right for e in of(shown, ForecastCompared)] == [True]
+    assert [e.verdict for e in compared(shown)] == ["right"]
     asked = odd("Stray", "ask")
     assert (asked.reason, of(asked, OperationStarted)) == ("held", [])
     (command,) = of(asked, Commanded)
@@ -159,9 +167,9 @@ def test_a_world_that_dies_gives_no_forecast_and_the_run_goes_on_living(
     odd: Callable[..., Run],
 ) -> None:
     held = odd("Die", "hold", host="process")
-    (made,) = of(held, ForecastMade)
-    assert (made.verdict, made.after) == ("none", {})
-    assert "process" in made.reason
+    (one,) = made(held)
+    assert (one.verdict, one.facts) == ("none", {})
+    assert "process" in one.reason
     assert (held.reason, of(held, OperationStarted)) == ("held", [])
 
 
@@ -179,7 +187,7 @@ def test_a_person_who_asks_for_it_all_the_same_gets_it(
         script=script,
         plugin_paths=(tmp_path / "odd",),
     )
-    assert of(free, ForecastMade)[0].verdict == "differs"
+    assert made(free)[0].verdict == "differs"
     assert of(free, OperationStarted)[0].address == "SB/State_a/Stray"
 
 
@@ -221,10 +229,10 @@ def test_what_a_person_carries_out_has_no_forecast_and_does_not_hold(tmp_path: P
     act = {"do": "answer", "kind": "operation", "option": "done", "at": 0.2}
     script = script_of(tmp_path, act, blueprint)
     done = front.run(blueprint, forecast="hold", script=script)
-    (made,) = of(done, ForecastMade)
-    assert (made.verdict, made.reason) == ("none", "a person carries it out")
+    (one,) = made(done)
+    assert (one.verdict, one.reason) == ("none", "a person carries it out")
     assert of(done, OperationStarted)
-    assert not of(done, ForecastCompared)
+    assert not compared(done)
 
 
 def test_the_supervisor_forecast_vetoes_and_the_risk_counts_it(odd: Callable[..., Run]) -> None:
@@ -254,6 +262,7 @@ def test_the_log_says_the_level_and_its_order_is_checked(tmp_path: Path) -> None
     raw = log.read_bytes()
     assert json.loads(raw.splitlines()[0])["forecast"] == "ask"
     assert verify_stream(io.BytesIO(raw), "run.jsonl").doubt is None
+    assert verify_stream(io.BytesIO(raw), "run.jsonl", read(SAMPLE)).doubt is None
 
 
 def test_an_unknown_level_is_refused_with_the_names() -> None:
@@ -282,7 +291,7 @@ def test_a_stop_in_the_middle_of_a_forecast_is_heeded() -> None:
     for last in range(1, every + 1):
         done = stops_at(last)
         assert done.reason == "stopped", last
-        assert len(of(done, OperationStarted)) <= len(of(done, ForecastMade)), last
+        assert len(of(done, OperationStarted)) <= len(made(done)), last
 
 
 def test_a_level_that_only_shows_allows_everything() -> None:
@@ -295,3 +304,28 @@ def test_a_level_that_only_shows_allows_everything() -> None:
         twin.close()
     assert found == again
     assert Foresight(twin, "show").verdict(found).decision == "allow"
+
+
+CHANGES: tuple[tuple[dict[str, Any], str], ...] = (
+    ({"verdict": "sure"}, "no forecast that says 'sure'"),
+    ({"address": "SB1/State_aa"}, "no forecast that says"),
+    ({"verdict": "right", "facts": {}, "reason": ""}, "a forecast that was not made"),
+    ({"facts": {"SB1": "b"}}, "is about no fact"),
+    ({"verdict": "none", "reason": "it broke"}, "which facts will change"),
+    ({"reason": "it strays"}, "says 'agrees' and 'it strays'"),
+    ({"verdict": "differs"}, "says 'differs' and 'no reason'"),
+)
+
+
+@pytest.mark.parametrize(("change", "words"), CHANGES)
+def test_an_impossible_forecast_in_a_log_is_refused(
+    tmp_path: Path, change: dict[str, Any], words: str
+) -> None:
+    log = tmp_path / "run.jsonl"
+    front.run(read(SAMPLE), forecast="show", log=log)
+    story = Story.of(log.read_bytes())
+    first = next(one for one in story.events if one["event"] == "forecast")
+    first.update(change)
+    doubt = verify_stream(io.BytesIO(story.raw()), "run.jsonl").doubt
+    assert doubt is not None
+    assert words in str(doubt)

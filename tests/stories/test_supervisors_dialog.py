@@ -10,7 +10,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
-from smsl_studio.runlog.events import Commanded, Committed, Event, ForecastMade, RiskEstimated
+from smsl_studio.runlog.events import Commanded, Committed, Event, ForecastTold, RiskEstimated
 from smsl_studio.studio.features.run.supervisors_dialog import SupervisorsDialog
 from tests.stories.at_run import AtRun
 from tests.stories.conftest import Sit
@@ -73,7 +73,7 @@ def test_a_supervisor_of_the_dialog_sends_the_run_the_longer_way(sit: Sit, tmp_p
     assert committed == ["SB/State_a/Far", "SB/State_b/On"]
     assert [e.by for e in told if isinstance(e, Commanded)] == ["limit:risk=0.5"]
     assert any(isinstance(e, RiskEstimated) for e in told)
-    assert all(e.verdict == "agrees" for e in told if isinstance(e, ForecastMade))
+    assert [e.verdict for e in told if isinstance(e, ForecastTold)][-2:] == ["agrees", "right"]
     in_dialog(person, lambda dialog: _is_kept(dialog, person))
 
 

@@ -6,6 +6,7 @@ A forecast is no evidence. It can keep a step from beginning. Only a state check
 from __future__ import annotations
 
 from collections.abc import Mapping
+from types import MappingProxyType
 from typing import Protocol
 
 from smsl_studio.blueprint.address import Address
@@ -13,13 +14,15 @@ from smsl_studio.blueprint.joint import JointStep
 from smsl_studio.dispatch.drive.supervisor import ALLOW, ASK, HOLD, Verdict
 from smsl_studio.dispatch.execution.run import LiveRun
 from smsl_studio.library.prediction import AGREES, NONE, Prediction
-from smsl_studio.runlog.events import ForecastCompared, ForecastMade
+from smsl_studio.runlog.events import ForecastTold
+from smsl_studio.runlog.regulation import RIGHT, UNKNOWN, WRONG
 
 SHOW = "show"
 LEVELS = (SHOW, ASK, HOLD)
 """What a forecast that differs does: it is told alone, a person is asked, or the run holds."""
 FORECAST = "forecast"
 """The name under which it stands in the record."""
+NO_FACTS: Mapping[str, str] = MappingProxyType({})
 BY_PERSON = "a person carries it out"
 ASKS = "a person has to answer before it goes on"
 OF_PEOPLE = (BY_PERSON, ASKS)
@@ -54,16 +57,12 @@ class Foresight:
             found = self._simulator.predict(dict(run.configuration), edge)
         self._made = (edge, found)
         now = sensed_values(run)
-        changes = {key: value for key, value in found.after.items() if now.get(key) != value}
-        run.emit(
-            ForecastMade(
-                t=run.time,
-                address=str(edge),
-                verdict=found.verdict,
-                after=changes,
-                reason=found.reason,
-            )
-        )
+        facts = {
+            key: UNKNOWN if value is None else value
+            for key, value in found.after.items()
+            if now.get(key) != value
+        }
+        _tell(run, edge, found.verdict, found.reason, facts)
         return found
 
     def verdict(self, found: Prediction) -> Verdict:
@@ -87,14 +86,18 @@ class Foresight:
             for key, value in made[1].after.items()
             if now.get(key) is not None and now[key] != value
         ]
-        told = ForecastCompared(
-            t=run.time, address=str(made[0]), right=not wrong, reason=", ".join(wrong)
-        )
-        run.emit(told)
+        _tell(run, made[0], WRONG if wrong else RIGHT, ", ".join(wrong))
 
     def close(self) -> None:
         """Free the simulated world."""
         self._simulator.close()
+
+
+def _tell(
+    run: LiveRun, edge: Address, verdict: str, reason: str, facts: Mapping[str, str] = NO_FACTS
+) -> None:
+    told = ForecastTold(t=run.time, address=str(edge), verdict=verdict, facts=facts, reason=reason)
+    run.emit(told)
 
 
 def sensed_values(run: LiveRun) -> dict[str, str | None]:

@@ -10,7 +10,7 @@ from smsl_studio.blueprint.address import split_fact
 from smsl_studio.runlog import events as run
 from smsl_studio.runlog.command_word import CommandWord
 from smsl_studio.runlog.grammar.memory import Asked, Memory, parts
-from smsl_studio.runlog.regulation import FORECASTS, NONE
+from smsl_studio.runlog.regulation import AGREES, COMPARISONS, DIFFERS, FORECASTS, RIGHT
 
 LATCHED = ("stopped", "taken_over")
 
@@ -53,24 +53,23 @@ def risk_estimated(memory: Memory, event: run.RiskEstimated) -> Iterator[str]:
         yield f"{event.address!r} has no risk of {event.risk:g}"
 
 
-def forecast_made(memory: Memory, event: run.ForecastMade) -> Iterator[str]:
-    """Check that a forecast is of an operation and of facts, and says how it ends."""
-    if len(parts(event.address)) != 3 or event.verdict not in FORECASTS:
-        yield f"{event.address!r} has no forecast that says {event.verdict!r}"
-    elif event.verdict == NONE and (event.after or not event.reason):
-        yield f"{event.address} has no forecast, and facts or no reason for it"
-    elif any(split_fact(key) is None for key in event.after):
-        yield f"the forecast of {event.address} is about no fact"
-    else:
-        memory.foreseen.add(event.address)
-
-
-def forecast_compared(memory: Memory, event: run.ForecastCompared) -> Iterator[str]:
-    """Check that the operation had a forecast."""
-    if event.address not in memory.foreseen:
-        yield f"{event.address} is compared with a forecast that was not made"
-    elif event.right == bool(event.reason):
-        yield f"the forecast of {event.address} is right or has a reason why not"
+def forecast(memory: Memory, event: run.ForecastTold) -> Iterator[str]:
+    """Check that a forecast is of an operation and of facts, and that only a forecast that was made
+    is compared.
+    """
+    where, verdict = event.address, event.verdict
+    if len(parts(where)) != 3 or verdict not in (*FORECASTS, *COMPARISONS):
+        yield f"{where!r} has no forecast that says {verdict!r}"
+    elif any(split_fact(key) is None for key in event.facts):
+        yield f"the forecast of {where} is about no fact"
+    elif event.facts and verdict not in (AGREES, DIFFERS):
+        yield f"the forecast of {where} says {verdict!r}, and which facts will change"
+    elif verdict in COMPARISONS and where not in memory.foreseen:
+        yield f"{where} is compared with a forecast that was not made"
+    elif bool(event.reason) == (verdict in (AGREES, RIGHT)):
+        yield f"the forecast of {where} says {verdict!r} and {event.reason or 'no reason'!r}"
+    elif verdict in (AGREES, DIFFERS):
+        memory.foreseen.add(where)
 
 
 def paused(memory: Memory, event: run.Paused) -> Iterator[str]:
