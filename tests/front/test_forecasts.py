@@ -35,6 +35,7 @@ from smsl_studio.runlog.events import (
 )
 from smsl_studio.runlog.regulation import COMPARISONS, FORECASTS
 from smsl_studio.shipped import samples_dir
+from tests.front.any_run import any_run
 from tests.plugin_folder import blueprint_of, write_plugin
 from tests.runlog.impossible import Story
 
@@ -329,3 +330,17 @@ def test_an_impossible_forecast_in_a_log_is_refused(
     doubt = verify_stream(io.BytesIO(story.raw()), "run.jsonl").doubt
     assert doubt is not None
     assert words in str(doubt)
+
+
+@pytest.mark.parametrize("number", range(12))
+def test_any_run_is_the_same_with_forecasts_and_both_verifiers_believe_it(
+    number: int, tmp_path: Path
+) -> None:
+    """With people, faults, take-overs and sub-SBs, as random scripts have them."""
+    one, log = any_run(number), tmp_path / "run.jsonl"
+    without = front.run(one.blueprint, script=one.script, **one.asked)
+    done = front.run(one.blueprint, script=one.script, forecast="show", log=log, **one.asked)
+    assert tuple(e for e in done.events if not isinstance(e, ForecastTold)) == without.events
+    raw = log.read_bytes()
+    assert verify_stream(io.BytesIO(raw), "run.jsonl").doubt is None
+    assert verify_stream(io.BytesIO(raw), "run.jsonl", one.blueprint).doubt is None
