@@ -20,12 +20,12 @@ from smsl_studio.dispatch.dispatcher import Dispatcher
 from smsl_studio.dispatch.drive.foresight import ASKS, LEVELS, Foresight
 from smsl_studio.errors import HostError, StudioError, UsageError, WorldError, did_you_mean
 from smsl_studio.front.forecasts import Forecast, carried, terms_of
-from smsl_studio.front.hosts import make_host
+from smsl_studio.front.hosts import known_world, make_host
 from smsl_studio.front.request import RunRequest
 from smsl_studio.host.protocol import Host
 from smsl_studio.library.loaded import Loaded
 from smsl_studio.library.prediction import AGREES, DIFFERS, NONE, Prediction
-from smsl_studio.world.engines import TABLE
+from smsl_studio.world.engines import REMOTE, TABLE
 
 LOW = 10
 """The priority (nice) of a gentle twin."""
@@ -73,9 +73,7 @@ class Twin:
 
     def _tried(self, configuration: Mapping[str, str], edge: Address) -> Prediction:
         if self._host is None:
-            if self._is_hardware():
-                self._lost = LIVES
-                raise WorldError("a world that is hardware cannot be tried beforehand")
+            self._refuse_what_is_real()
             self._host = make_host(self._request, self._loaded)
         terms = terms_of(configuration, self._request.seed)
         blueprint = self._hierarchy.blueprint
@@ -93,9 +91,18 @@ class Twin:
             return Prediction(NONE, reason=ASKS)
         return _compared(found)
 
-    def _is_hardware(self) -> bool:
-        world, loaded = self._request.world, self._loaded
-        return loaded is not None and world != TABLE and loaded.world(world)[1].hardware
+    def _refuse_what_is_real(self) -> None:
+        """Raise WorldError for a world that cannot be there twice: a forecast would move it."""
+        world, paths = self._request.world, self._request.plugin_paths
+        if world == REMOTE:
+            self._lost = LIVES
+            raise WorldError("a program that is somewhere else cannot be tried beforehand")
+        if world == TABLE:
+            return
+        loaded = self._loaded or known_world(world, paths, "process")
+        if loaded is not None and loaded.world(world)[1].hardware:
+            self._lost = LIVES
+            raise WorldError("a world that is hardware cannot be tried beforehand")
 
 
 def _yield_to_others(host: Host) -> None:

@@ -23,6 +23,7 @@ from smsl_studio.front.runs import Run, open_request
 from smsl_studio.front.script.lines import read_script
 from smsl_studio.front.script.script import Script
 from smsl_studio.front.twin import Twin
+from smsl_studio.library.loading import discover
 from smsl_studio.runlog.events import (
     Commanded,
     Committed,
@@ -305,6 +306,31 @@ def test_a_level_that_only_shows_allows_everything() -> None:
         twin.close()
     assert found == again
     assert Foresight(twin, "show").verdict(found).decision == "allow"
+
+
+HARDWARE = """
+from pathlib import Path
+
+def register(library):
+    @library.world("arm", engine="table", hardware=True)
+    def build(world, blueprint, seed):
+        Path(__file__).with_name("built").touch()
+        return world
+"""
+
+
+@pytest.mark.parametrize("world", ["arm", "remote"])
+@pytest.mark.parametrize("found", [False, True])
+def test_what_is_real_is_never_tried(tmp_path: Path, world: str, found: bool) -> None:
+    """Also if the plugins were found before, or the run is approved for hardware."""
+    place = write_plugin(tmp_path, "arm", HARDWARE)
+    request = RunRequest(blueprint_of(TABLE), world, host="local", plugin_paths=(place,))
+    twin = Twin(request, discover([place]) if found else None)
+    told = [twin.predict({"SB": "State_a"}, Address("SB", "State_a", "Go")) for _ in range(2)]
+    twin.close()
+    assert {one.verdict for one in told} == {"none"}
+    assert all("cannot be tried beforehand" in one.reason for one in told)
+    assert not (place / "built").exists()
 
 
 CHANGES: tuple[tuple[dict[str, Any], str], ...] = (
