@@ -6,6 +6,10 @@ is made anew (``tests/front/forged_runs.py``). ``tests/front/plain_judge.py`` wa
 says which changed stories are impossible for sure. ``apart`` counts stories about which the two
 programs disagree. The share that is still believed is told by kind.
 
+Then the head of a log is signed (``tests/front/forged_heads.py``): the true story of every tenth
+run and three forged ones, each with the right key, a revoked one, a person's and an unknown one.
+Only the right key may be believed, and only where the story is.
+
 All of them, by two processes, so that a stopped count goes on where it was::
 
     python -m benches.forged --keep forged.jsonl
@@ -16,16 +20,24 @@ from __future__ import annotations
 import io
 import tempfile
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from random import Random
 from unittest.mock import patch
 
 from benches.row import Row
-from benches.shares import asked, counted, shares_of
+from benches.shares import Share, asked, counted, shares_of
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.front.logs import verify_stream
 from smsl_studio.front.verifier import told_again
+from tests.front.forged_heads import (
+    RIGHT,
+    SIGNERS,
+    headed,
+    is_believed_by_replay,
+    is_believed_here,
+    known_keys,
+)
 from tests.front.forged_runs import FORGERIES, forged
 from tests.front.plain_judge import why_impossible
 from tests.front.told_runs import ToldRun, told_runs
@@ -37,24 +49,35 @@ EACH = 10
 AT_ONCE = 250
 """So many true runs are kept in memory: a share."""
 TRUE_RUNS = "true runs"
+HEADS, ALL_HEADS = "heads", 1_000
+"""So many true runs have the heads of their logs signed."""
+FORGED_HEADS = 3
+"""So many forged stories are signed for a true one."""
 
 
 def rows() -> Iterator[Row]:
     """A fiftieth of all, by this process."""
-    parts = shares_of([TRUE_RUNS], 0, TRUE, AT_ONCE)
-    yield from _rows(counted(believed, parts)[TRUE_RUNS])
+    yield from _rows(counted(believed, _parts(0, TRUE)))
 
 
 def all_rows() -> Iterator[Row]:
     """All true and all forged runs, by two processes."""
-    parts = shares_of([TRUE_RUNS], 0, ALL_TRUE, AT_ONCE)
-    yield from _rows(counted(believed, parts, workers=2)[TRUE_RUNS])
+    yield from _rows(counted(believed, _parts(0, ALL_TRUE), workers=2))
+
+
+def _parts(first: int, behind: int) -> list[Share]:
+    """The true runs of these seeds, and a tenth of them with signed heads."""
+    share = ALL_TRUE // ALL_HEADS
+    heads = shares_of([HEADS], first // share, behind // share, AT_ONCE)
+    return shares_of([TRUE_RUNS], first, behind, AT_ONCE) + heads
 
 
 def believed(kind: str, first: int, behind: int) -> dict[str, int]:
     """Count what is believed of the true runs of these seeds, and of what is made of them."""
     with tempfile.TemporaryDirectory() as name:
         runs = told_runs(range(first, behind), Path(name))
+    if kind == HEADS:
+        return heads_believed(runs, Random(f"heads {first}"))
     counts = Counter({"true": 0, "believed": 0, "apart": 0, "impossible believed": 0})
     for run in runs:
         refusal = told_again(*run)
@@ -68,6 +91,30 @@ def believed(kind: str, first: int, behind: int) -> dict[str, int]:
             changed = forged(story, forgery, random)
             if changed is not None:
                 _take(counts, forgery.__name__, ToldRun(changed.raw(), run.blueprint), changed)
+    return dict(counts)
+
+
+def heads_believed(runs: Sequence[ToldRun], random: Random) -> dict[str, int]:
+    """Count, by the key that signs its head, which logs are believed, of true and forged stories.
+
+    ``wrong`` counts those that must not be, and ``apart`` those about which the two programs
+    disagree.
+    """
+    counts = Counter({"wrong": 0, "apart": 0})
+    with known_keys():
+        for run in runs:
+            story = Story.of(run.raw)
+            forgeries = random.sample(FORGERIES, FORGED_HEADS)
+            others = (forged(story, forgery, random) for forgery in forgeries)
+            for one in (story, *filter(None, others)):
+                raw = run.raw if one is story else one.raw()
+                possible = not told_again(raw, run.blueprint)
+                for key, signer in SIGNERS.items():
+                    told = ToldRun(headed(raw, signer), run.blueprint)
+                    here, there = is_believed_here(told), is_believed_by_replay(told)
+                    counts.update([f"made {key}"], **{f"believed {key}": here})
+                    counts["wrong"] += here != (possible and key == RIGHT)
+                    counts["apart"] += here != there
     return dict(counts)
 
 
@@ -95,7 +142,8 @@ def _differs(run: ToldRun, refusal: str) -> bool:
     return (verdict.doubt is None) == bool(refusal)
 
 
-def _rows(counts: Counter[str]) -> Iterator[Row]:
+def _rows(sums: Mapping[str, Counter[str]]) -> Iterator[Row]:
+    counts = sums[TRUE_RUNS]
     ends = sorted(name for name in counts if name.startswith("end "))
     words = ", ".join(f"{counts[name]:,} {name.removeprefix('end ')}" for name in ends)
     yield Row(f"{counts['true']:,} true runs ({words})", counts["believed"], "believed",
@@ -109,10 +157,18 @@ def _rows(counts: Counter[str]) -> Iterator[Row]:
     yield Row(f"{counts['forged']:,} forged runs; still possible: {shares}",
               counts["impossible believed"], "impossible ones believed", bound="0")  # fmt: skip
     yield Row("the two programs", counts["apart"], "stories apart", bound="0")
+    heads = sums.get(HEADS, Counter())
+    for key in SIGNERS:
+        made = heads[f"made {key}"]
+        most = "possible stories" if key == RIGHT else "0"
+        yield Row(f"{made:,} heads signed with {key}", heads[f"believed {key}"], "believed",
+                  bound=most)  # fmt: skip
+    yield Row("signed heads", heads["wrong"] + heads["apart"], "wrongly believed, or apart",
+              bound="0")  # fmt: skip
 
 
 if __name__ == "__main__":
     told = asked("Count forged runs that are believed.", ALL_TRUE)
-    parts = shares_of([TRUE_RUNS], told.first, told.behind, AT_ONCE)
-    for row in _rows(counted(believed, parts, told.workers, told.keep)[TRUE_RUNS]):
+    parts = _parts(told.first, told.behind)
+    for row in _rows(counted(believed, parts, told.workers, told.keep)):
         print(f"{row.work}: {row.ours:g} {row.unit}", flush=True)

@@ -61,12 +61,12 @@ def verify_stream(stream: BinaryIO, file: str, blueprint: Blueprint | None = Non
     from smsl_studio.front.verifier import told_again
 
     raw = stream.read()
-    verdict = _with_signer(verify_log(BytesIO(raw), file, COMMANDS), file)
+    verdict = verify_log(BytesIO(raw), file, COMMANDS)
     why = told_again(raw, blueprint)
     if not why and verdict.doubt is not None and verdict.doubt.sentence.startswith(IMPOSSIBLE):
-        return replace(verdict, doubt=None, order=verdict.doubt)
+        verdict = replace(verdict, doubt=None, order=verdict.doubt)
     if not why:
-        return verdict
+        return _with_signer(verdict, file)
     line = _LINE.match(why)
     place = Place(file, int(line[1]) if line else 1, 1)
     return replace(verdict, doubt=Doubt(place, why[line.end() :] if line else why))
