@@ -263,9 +263,9 @@ def judge(known, h, of, day=0, bot={"automatic", "recorder"}):  # why it is not 
 		who, may = same(key.person), {*map(same, key.roles)}; no(was and at <= was); was = at
 		if at > day + dt.timedelta(0, 300): continue
 		word = them[0].digest.closure == of and not void(key, at, p, body, them) and say.verdict
-		good = word and not (ran.code and h.digests.closure == of and ran.code !=
-			sha(plain(say.worlds[h.world])) or any(r.code != sha(f"{r.id} {ran.rules}".encode()) for r in
-			say.rules if ran.rules))
+		good = word in ("approved", "conditions") and not (ran.code and h.digests.closure == of and
+			ran.code != sha(plain(say.worlds[h.world])) or any(r.code !=
+			sha(f"{r.id} {ran.rules}".encode()) for r in say.rules if ran.rules))
 		if day > when(say.expires or "9999-12-30") or day - at > dt.timedelta(p.valid_days): good = 0
 		for one in say.relies_on: good = good and not judge(known, h, one.digest.closure, day)
 		no(good and may & bot and p.automatic != "may_sign", "a program signs")
@@ -285,7 +285,7 @@ def main():  # 5 THE FOLDER
 		except Exception as error: wrong.append(f"{place}: {str(error) or repr(error)}"[:500])
 	known = {c.hexes[3]: c for one in files("content/**/closure.json") if (c := tried(one, lambda:
 		content([load(one.with_stem(p)) for p in PARTS], f"records{str(one.parent)[7:]}.record.json")))}
-	hexes = {0, *(tried(one, lambda: sha(load(one))) for one in files("blueprint/**/*"))}
+	hexes = {b"", *(tried(one, lambda: sha(load(one))) for one in files("blueprint/**/*"))}
 	logs = [tried(one, lambda: tell(known, load(one), hexes)) or Map() for one in files("logs/*")]
 	said += [f"The head of a log is signed by {h.signed and tried('head', recorder, h) or 'nobody'}."
 		for h in logs]; page = load("report.html")

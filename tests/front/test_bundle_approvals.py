@@ -33,7 +33,7 @@ from smsl_studio.inspection.approval.statement import (
 )
 from smsl_studio.seal.digest import digest_of
 from smsl_studio.seal.ed25519 import sealed
-from smsl_studio.seal.strict_json import base64_text
+from smsl_studio.seal.strict_json import base64_text, from_base64
 from tests.approval import ADA, BEN, DOOR, EVE, Member, entry, make_keys_cheap, register_of, said
 from tests.front.bundle_tampers import LOG, RECORD, is_believed, whole
 from tests.runlog.impossible import Story
@@ -185,3 +185,20 @@ def test_a_policy_with_numbers_is_believed() -> None:
     for line in ("persons = 2", "roles = { engineer = 1, surgeon = 1 }", "valid_days = 9999.5"):
         fair = f'{line}\nregister_key = "{base64_text(EVE.public)}"\n'
         assert is_believed({**whole(), "policy.toml": fair.encode()}), line
+
+
+@pytest.mark.parametrize("digest", [0, False, None, "", [], {}, "0" * 64])
+def test_a_log_that_names_no_sum_of_its_file_is_refused(digest: Json) -> None:
+    story = Story.of(whole()[LOG])
+    story.header["digests"]["file"] = digest
+    assert not is_believed({**whole(), LOG: story.raw()})
+
+
+@pytest.mark.parametrize("verdict", ["Rejected", "x", 5, True, ["approved"]])
+def test_a_verdict_that_is_none_approves_nothing(verdict: Json) -> None:
+    envelope = json.loads(whole()[RECORD])["records"][1]
+    said = json.loads(from_base64(envelope["payload"], "payload"))
+    said["predicate"]["verdict"] = verdict
+    records = json.loads(whole()[RECORD])
+    records["records"][1] = sealed(BEN.private, PAYLOAD_TYPE, json.dumps(said).encode()).as_json()
+    assert not is_believed({**whole(), RECORD: json.dumps(records).encode()})
