@@ -66,6 +66,7 @@ BENCHES = (
     "shapes",
     "spin",
     "tampers",
+    "frames",
     "forged",
     "code",
 )

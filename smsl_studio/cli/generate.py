@@ -1,5 +1,5 @@
-"""``generate``: a blueprint made of rules, of a planning problem, of physics or of text, or code
-made of a blueprint."""
+"""``generate``: a blueprint made of rules, of a planning problem, of physics or of text, code made
+of a blueprint, or a driver."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from smsl_studio.front.physics import PhysicsDifference
 
 _FILES = {"rules": ("RULES.toml",), "pddl": ("DOMAIN", "PROBLEM"), "explore": (), "code": ("FILE",),
-          "text": ("FILE...",)}  # fmt: skip
+          "text": ("FILE...",), "driver": ()}  # fmt: skip
 """What stands behind each word."""
 _OPTIONS = {
     "explore": ("world", "robot", "start", "repeats", "limit", "against"),
@@ -39,10 +39,14 @@ def add_arguments(parser: ArgumentParser) -> None:
         "files",
         nargs="*",
         metavar="FILE",
-        help="rules: RULES.toml; pddl: DOMAIN PROBLEM; code: FILE; text: FILE...",
+        help="rules: RULES.toml; pddl: DOMAIN PROBLEM; code: FILE; text: FILE...; driver: none",
     )
     parser.add_argument(
-        "-o", "--output", required=True, metavar="OUT", help="the blueprint, or the folder of code"
+        "-o",
+        "--output",
+        required=True,
+        metavar="OUT",
+        help="a blueprint, or the folder of a program",
     )
     explore = parser.add_argument_group("explore")
     explore.add_argument("--world", metavar="W", help="the world that is explored")
@@ -79,6 +83,10 @@ def execute(options: argparse.Namespace, out: Output) -> int:
     many = len(options.files)
     if many != len(wanted) and not (options.what == "text" and many):
         takes = " ".join(wanted) or "no file but --start"
+        if options.what == "driver":
+            raise UsageError(
+                "generate driver takes no file", advice="Write generate driver -o DIR."
+            )
         advice = f"Write smsl-studio generate {options.what} {' '.join(wanted)} -o OUT.json."
         raise UsageError(f"generate {options.what} takes {takes}", advice=advice)
     for what, names in _OPTIONS.items():
@@ -94,6 +102,8 @@ def execute(options: argparse.Namespace, out: Output) -> int:
         return generate_of_text(options, out)
     if options.what == "code":
         return _code(options, out)
+    if options.what == "driver":
+        return _driver(options, out)
     from smsl_studio.front.generated import generate_pddl, generate_rules
 
     made = (generate_rules if options.what == "rules" else generate_pddl)(*options.files)
@@ -160,6 +170,18 @@ def _code(options: argparse.Namespace, out: Output) -> int:
         for path in (*made.changed, *made.gone):
             out.line(one_line(f"{options.output}/{path}: is not what the blueprint gives"))
     return 0 if made.agrees or not options.check else 1
+
+
+def _driver(options: argparse.Namespace, out: Output) -> int:
+    from smsl_studio.front.generated_code import generate_driver
+
+    made = generate_driver(options.output, target=options.target)
+    if options.format == "json":
+        out.json({"files": list(made.files), "changed": list(made.changed)})
+    else:
+        for name in made.files:
+            out.line(one_line(f"{options.output}/{name}"))
+    return 0
 
 
 def _compared(options: argparse.Namespace, out: Output, difference: PhysicsDifference) -> int:

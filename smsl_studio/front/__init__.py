@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from smsl_studio.front.exchanges import exported, imported
     from smsl_studio.front.exploration import explore
     from smsl_studio.front.generated import generate_pddl, generate_rules
-    from smsl_studio.front.generated_code import generate_code
+    from smsl_studio.front.generated_code import generate_code, generate_driver
     from smsl_studio.front.generated_text import generate_text
     from smsl_studio.front.git_drivers import git_setup
     from smsl_studio.front.graphs import from_multidigraph, multidigraph
@@ -91,6 +91,7 @@ __all__ = [
     "forbid_plugin",
     "from_multidigraph",
     "generate_code",
+    "generate_driver",
     "generate_explore",
     "generate_pddl",
     "generate_rules",
@@ -175,9 +176,9 @@ VERBS = {
     "sweep": Verb("run every single edge in a world and check where it leads", ("sweep",)),
     "preview": Verb("say what a simulated world predicts for one operation", ("preview",)),
     "campaign": Verb("run a blueprint many times, with seeds and faults", ("campaign",)),
-    "generate": Verb("make a blueprint of rules, PDDL, physics or text, or code of a blueprint",
+    "generate": Verb("make a blueprint of rules, PDDL, physics or text, code of one, or a driver",
                      ("generate_rules", "generate_pddl", "generate_explore", "generate_text",
-                      "generate_code")),
+                      "generate_code", "generate_driver")),
     "learn": Verb("find rules that make a blueprint, and what does not fit them",
                   ("learn", "learn_from_logs")),
     "replay": Verb("tell a run again from its log, or verify the log",
@@ -235,6 +236,7 @@ _HOMES = {
     "preview": "previews",
     "generate_rules": "generated",
     "generate_code": "generated_code",
+    "generate_driver": "generated_code",
     "generate_pddl": "generated",
     "generate_explore": "physics",
     "learn": "examples",

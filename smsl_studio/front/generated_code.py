@@ -15,6 +15,7 @@ from smsl_studio.front.inputs import refuse_nonsense
 from smsl_studio.front.version import version
 from smsl_studio.generate.code.blueprint_parts import CodeRequest, refuse_what_is_not_generated
 from smsl_studio.generate.code.cpp_package import CppPackage
+from smsl_studio.generate.code.driver_files import LANGUAGES, driver_files
 from smsl_studio.generate.code.identifiers import is_package_name, package_name
 from smsl_studio.generate.code.kept_parts import parts_of, refuse_lost, with_parts
 from smsl_studio.generate.code.python_package import PythonPackage
@@ -98,6 +99,36 @@ def generate_code(
     )
     file = None if bindings is None else read_bindings(Path(bindings))
     return _written(Path(folder), package, TARGETS[target](request, file), check)
+
+
+def generate_driver(folder: Name, *, target: str = "python") -> GeneratedCode:
+    """Write a driver for the world ``remote`` into a folder: a program of one file, with a README
+    and a blueprint to try it.
+
+    ``target`` is the language, python or cpp. UsageError for another one, and for a file there that
+    somebody has written or changed.
+
+    >>> generate_driver("made-driver").changed
+    ('driver.py', 'lamp.json', 'README.md')
+    """
+    if target not in LANGUAGES:
+        raise UsageError(
+            f"no driver is written in {target!r}", advice=f"Choose one of {', '.join(LANGUAGES)}."
+        )
+    files, place = driver_files(target), Path(folder)
+    changed = {}
+    for name, text in files.items():
+        old = _text(place / name) if os.path.lexists(place / name) else None
+        if old not in (None, text):
+            raise UsageError(
+                f"{Place(str(place / name), 1, 1)}: this file would be replaced, and what you have "
+                "written in it lost",
+                advice="Choose another folder.",
+            )
+        if old is None:
+            changed[name] = text
+    _save(place, changed, [])
+    return GeneratedCode(place, tuple(files), tuple(changed), (), ())
 
 
 def _written(folder: Path, package: str, made: Package, check: bool) -> GeneratedCode:

@@ -187,3 +187,15 @@ def test_a_run_may_demand_a_record(
         assert last["reason"] == theirs["reason"]
         codes = [one["code"] for one in last.get("refusals", [])]
         assert codes == [one["code"] for one in theirs.get("refusals", [])]
+
+
+def test_a_driver_is_generated(shell: Shell, tmp_path: Path) -> None:
+    folder = tmp_path / "arm"
+    made = shell("generate", "driver", "-o", str(folder), "--target", "cpp", "--format", "json")
+    names = ["driver.cpp", "lamp.json", "README.md"]
+    assert (made.status, made.json) == (0, {"files": names, "changed": names})
+    assert shell("generate", "driver", "-o", str(folder), "--target", "cpp").status == 0
+    wrong = shell("generate", "driver", sample("hanoi-2"), "-o", str(folder))
+    assert (wrong.status, "generate driver takes" in wrong.err) == (2, True)
+    other = shell("generate", "driver", "-o", str(folder), "--name", "x")
+    assert (other.status, "--name is for code alone" in other.err) == (2, True)
