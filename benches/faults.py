@@ -20,12 +20,28 @@ from pathlib import Path
 from benches.row import Row
 from benches.seeds import chosen, is_part
 from smsl_studio.runlog.events import OperationStarted
-from tests.plugins.faulted import PLAIN, WITH_FAILURES, Story, cases, run_with
+from tests.plugins.faulted import (
+    PLAIN,
+    WITH_FAILURES,
+    Case,
+    Hand,
+    Story,
+    cases,
+    run_with,
+)
 from tests.plugins.pose_judges import judged_run
 from tests.plugins.world_runs import WORLDS
 
 FEW, EACH = 8, 125
 """The numbers of runs in each world."""
+
+HANDS = (Hand(robot="iiwa"), Hand(robot="dvrk"), Hand("hanoi-mujoco"))
+ACCIDENTS = (
+    Case("gripper_opens", 1),
+    Case("slippery", 1),
+    Case("blocked_peg", 1, {"peg": "c", "seconds": 6.0}),
+)
+"""What befalls the other hands: a drop, a slip, and a peg that is blocked for a while."""
 
 PAGE = Path(__file__).parent.parent / "docs" / "failures.md"
 BEGIN, END = "<!-- table of faults: begin -->\n", "<!-- table of faults: end -->\n"
@@ -37,8 +53,10 @@ HEAD = """\
 
 
 def rows() -> Iterator[Row]:
-    """Count what 54 runs of hanoi, and a few of each world, reported or committed falsely."""
+    """Count what 54 runs of hanoi, nine with other hands, and a few of each world, reported or
+    committed falsely."""
     yield from _hanoi()
+    yield from _hands()
     yield from _worlds(FEW)
 
 
@@ -46,6 +64,7 @@ def all_rows() -> Iterator[Row]:
     """Count the same with 500 runs in the four worlds."""
     if not is_part():
         yield from _hanoi()
+        yield from _hands()
     yield from _worlds(EACH)
 
 
@@ -65,6 +84,20 @@ def _hanoi() -> Iterator[Row]:
             bound="0, and every run held, refused or recovered",
         )
     yield Row("faults in hanoi, one run", spent / (2 * len(pairs)), "CPU s")
+
+
+def _hands() -> Iterator[Row]:
+    """Count a drop, a slip and a block with each other robot and in the other engine."""
+    for hand in HANDS:
+        told = [run_with(case, WITH_FAILURES, adopt=True, hand=hand) for case in ACCIDENTS]
+        words = ", ".join(f"{story.case.fault} {story.decision}" for story in told)
+        wrong = sum(len(story.wrong) for story in told)
+        yield Row(
+            f"faults in hanoi with {hand}, failure states: {words}; false reached or wrong commits",
+            wrong,
+            "",
+            bound="0, and every run held, refused or recovered",
+        )
 
 
 def _worlds(each: int) -> Iterator[Row]:

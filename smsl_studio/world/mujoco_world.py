@@ -197,7 +197,10 @@ class MujocoWorld:
     def rub(self, name: str, friction: float) -> None:
         """Change the friction of a body until the world is built again. WorldError below 0."""
         check_amounts(name, "friction", [friction], least=0.0)
-        self.model.geom_friction[self.geoms(self._body(name)), 0] = friction
+        geoms = self.geoms(self._body(name))
+        self.model.geom_friction[geoms, 0] = friction
+        # Of two things that touch, the rougher one would count in this engine.
+        self.model.geom_priority[geoms] = 1
 
     def stick(self, one: str, other: str) -> int:
         """Glue two bodies together in their present poses. Return the number for ``unstick``."""

@@ -94,11 +94,32 @@ class Story:
         return "recovered" if again else "reached"
 
 
-def run_with(case: Case, file: str = PLAIN, adopt: bool = False, seed: int = 0) -> Story:
+@dataclass(frozen=True)
+class Hand:
+    """The world and the robot of a run; the size of its rings is 1 for a Panda."""
+
+    world: str = "hanoi"
+    robot: str = ""
+
+    @property
+    def size(self) -> float:
+        return 0.38 if self.robot == "dvrk" else 1.0
+
+    def __str__(self) -> str:
+        return self.robot or self.world
+
+
+PANDA = Hand()
+
+
+def run_with(
+    case: Case, file: str = PLAIN, adopt: bool = False, seed: int = 0, hand: Hand = PANDA
+) -> Story:
     """Run three disks from a to c, with one fault injected on the way."""
     dispatcher = open_run(
         read(samples_dir() / file),
-        "hanoi",
+        hand.world,
+        robot=hand.robot,
         host="local",
         seed=seed,
         on_mismatch="adopt" if adopt else "hold",
@@ -115,7 +136,7 @@ def run_with(case: Case, file: str = PLAIN, adopt: bool = False, seed: int = 0) 
                     if sum(isinstance(e, OperationStarted) for e in events) == case.during:
                         edge, due = event.address, event.t + AFTER
                 elif isinstance(event, Committed):
-                    wrong += _judge(dispatcher, f"{event.operations[0]} committed", event)
+                    wrong += _judge(dispatcher, f"{event.operations[0]} committed", event, hand)
             ended = [e for e in new if isinstance(e, OperationEnded)]
             if dispatcher.time >= due:
                 dispatcher.inject(case.fault, by="a test", **case.parameters)
@@ -124,8 +145,8 @@ def run_with(case: Case, file: str = PLAIN, adopt: bool = False, seed: int = 0) 
                 at_first = ended[0].outcome
         last = events[-1]
         if isinstance(last, RunFinished) and last.reason == "goal_reached":
-            wrong += _judge(dispatcher, "goal reached", last)
-        stood = standing(dispatcher)
+            wrong += _judge(dispatcher, "goal reached", last, hand)
+        stood = standing(dispatcher, hand.size)
     finally:
         dispatcher.close()
     facts = {event.digit: event.value for event in events if isinstance(event, FactChanged)}
@@ -133,30 +154,33 @@ def run_with(case: Case, file: str = PLAIN, adopt: bool = False, seed: int = 0) 
     return Story(case, edge, tuple(events), at_first, sensed, stood, tuple(wrong))
 
 
-def _judge(dispatcher: Dispatcher, what: str, event: Committed | RunFinished) -> list[str]:
+def _judge(
+    dispatcher: Dispatcher, what: str, event: Committed | RunFinished, hand: Hand
+) -> list[str]:
     said = event.configuration["SB1"].removeprefix("State_")
-    stood = standing(dispatcher)
+    stood = standing(dispatcher, hand.size)
     return [] if said == stood else [f"{what} as {said}, and the rings stood {stood}"]
 
 
-def standing(dispatcher: Dispatcher) -> str:
-    """Where the rings are, disk 1 first: their pegs, or x for one that stands on none."""
+def standing(dispatcher: Dispatcher, size: float = 1.0) -> str:
+    """Where the rings are, disk 1 first: their pegs, or x for one that stands on none. ``size`` is
+    that of the rings, 1 for a Panda."""
     assert dispatcher.opened is not None
     names = [shape.name for shape in dispatcher.opened.shapes]
     poses = dispatcher.host.poses()
     rings = [poses[7 * i : 7 * i + 7] for i in (names.index(f"disk_{n}") for n in (1, 2, 3))]
     found = dict.fromkeys(range(3), "x")
     for peg, y in PEGS.items():
-        around = [i for i in range(3) if math.dist(rings[i][:2], (0.5, y)) < 0.0085]
+        around = [i for i in range(3) if math.dist(rings[i][:2], (0.5, y * size)) < 0.0085 * size]
         below = 3
         for level, ring in enumerate(sorted(around, key=lambda i: rings[i][2])):
-            if not (_flat(rings[ring], level) and ring < below):
+            if not (_flat(rings[ring], level, size) and ring < below):
                 break
             found[ring], below = peg, ring
     return "".join(found.values())
 
 
-def _flat(pose: Sequence[float], level: int) -> bool:
+def _flat(pose: Sequence[float], level: int, size: float) -> bool:
     """Whether a ring lies level, as high as so many rings below it make it."""
     upward = abs(1.0 - 2.0 * (pose[3] ** 2 + pose[4] ** 2))
-    return upward > 0.99 and abs(pose[2] - (level + 0.5) * THICK) < 0.004
+    return upward > 0.99 and abs(pose[2] - (level + 0.5) * THICK * size) < 0.004 * size

@@ -6,7 +6,7 @@ from __future__ import annotations
 import pytest
 
 from smsl_studio.runlog.events import OperationStarted
-from tests.plugins.faulted import PLAIN, WITH_FAILURES, Case, Story, cases, run_with
+from tests.plugins.faulted import PLAIN, WITH_FAILURES, Case, Hand, Story, cases, run_with
 
 
 def _operations(story: Story) -> list[str]:
@@ -76,3 +76,19 @@ def test_a_failure_state_is_not_adopted_unless_that_is_asked_for() -> None:
 def test_the_same_fault_and_seed_give_the_same_events() -> None:
     one, other = (run_with(Case("disk_pushed", 1, {"disk": 3}), seed=4) for _ in range(2))
     assert one.events == other.events
+
+
+HANDS = (Hand(robot="iiwa"), Hand(robot="dvrk"), Hand("hanoi-mujoco"))
+DROP = Case("gripper_opens", 1)
+SLIP = Case("slippery", 1)
+BLOCK = Case("blocked_peg", 1, {"peg": "c"})
+
+
+@pytest.mark.parametrize("hand", HANDS, ids=str)
+@pytest.mark.parametrize("case", [DROP, SLIP, BLOCK], ids=lambda case: case.fault)
+def test_other_hands_do_not_take_a_fault_for_a_success(hand: Hand, case: Case) -> None:
+    """benches/faults.py has the runs in which they recover."""
+    story = run_with(case, PLAIN, hand=hand)
+    assert story.wrong == ()
+    assert story.decision == "held"
+    assert story.sensed != "caa"
