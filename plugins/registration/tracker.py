@@ -11,10 +11,10 @@ from numpy.typing import NDArray
 
 from smsl_studio.world.bodies import Body, Box, Capsule
 from smsl_studio.world.kinematics import rotation_of
-from smsl_studio.world.meshes import soup, turned
+from smsl_studio.world.meshes import Mesh, moved, slab, soup, turned
 from smsl_studio.world.protocol import Vector
 
-from .phantom import NAME
+from .phantom import CENTRE, NAME
 
 if TYPE_CHECKING:
     from smsl_studio.world.bullet import BulletWorld
@@ -26,6 +26,13 @@ Stand = tuple[Array, Array]
 REFERENCE, CAMERA = "reference", "tracker"
 STAND: Vector = (0.57, -0.22, 0.09)
 """Where the reference frame stands (m) before anybody bumps it."""
+
+EYE: Vector = (0.25, -0.75, 0.75)
+"""Where the camera stands (m)."""
+
+FIELD, THIN = (0.30, 0.20), 0.0007
+"""Half of the width and of the height (m) of what it sees at the phantom, and half of the thickness
+of the drawn edges."""
 
 NOISE = 0.00025
 """The standard deviation (m) of one sample along each axis."""
@@ -92,7 +99,31 @@ def reference_body() -> Body:
 
 
 def camera_body() -> Body:
-    """Return the tracker's camera, which stands aside and looks at the phantom."""
+    """Return the tracker's camera, which stands aside and looks at the phantom, with the edges of
+    its field of view."""
     bar = turned([(0.0, -0.16), (0.03, -0.16), (0.03, 0.16), (0.0, 0.16)], 24)
-    place: Vector = (0.25, -0.75, 0.75)
-    return Body(CAMERA, Capsule(0.03, 0.26), place, mesh=soup(bar), colour=(0.25, 0.27, 0.3))
+    mesh = np.concatenate([bar, *_field_of_view()])
+    return Body(CAMERA, Capsule(0.03, 0.26), EYE, mesh=soup(mesh), colour=(0.42, 0.46, 0.53))
+
+
+def _field_of_view() -> list[Mesh]:
+    """Return the edges of the pyramid that the camera sees, in the frame of the camera."""
+    middle = CENTRE - np.array(EYE)
+    side = np.cross(middle, (0.0, 0.0, 1.0))
+    side *= FIELD[0] / np.linalg.norm(side)
+    up = np.cross(side, middle)
+    up *= FIELD[1] / np.linalg.norm(up)
+    corners = [middle + side + up, middle - side + up, middle - side - up, middle + side - up]
+    around = zip(corners, [*corners[1:], corners[0]], strict=True)
+    ends = [*((np.zeros(3), corner) for corner in corners), *around]
+    return [_edge(start, end) for start, end in ends]
+
+
+def _edge(start: Array, end: Array) -> Mesh:
+    """Return a thin rod between two points (m)."""
+    length = float(np.linalg.norm(end - start))
+    along = (end - start) / length
+    across = np.cross(along, (0.3, 0.5, 0.8))
+    across /= np.linalg.norm(across)
+    rotation = np.stack([across, np.cross(along, across), along], axis=1)
+    return moved(slab((THIN, THIN, length / 2)), rotation, ((start + end) / 2).tolist())

@@ -118,15 +118,32 @@ class WorldCamera:
         projection[3, 2] = -1.0
         return np.asarray(projection @ view, dtype=np.float32)
 
-    def project(
-        self, point: tuple[float, float, float], width: float, height: float
-    ) -> tuple[float, float] | None:
-        """The pixel of a world point in a picture of this size; None if it is behind the camera."""
-        clip = self.view_projection(width / max(height, 1.0)) @ np.array((*point, 1.0))
-        if clip[3] <= 0:
+    def pixels(self, points: Corner, width: float, height: float) -> Corner | None:
+        """The pixels, (n, 2), of world points, (n, 3), in a picture of this size; None if one of
+        them is behind the camera."""
+        clip = np.hstack([points, np.ones((len(points), 1))])
+        clip = clip @ self.view_projection(width / max(height, 1.0)).T.astype(np.float64)
+        if (clip[:, 3] <= 0).any():
             return None
-        x, y = clip[0] / clip[3], clip[1] / clip[3]
-        return float((x + 1) / 2 * width), float((1 - y) / 2 * height)
+        flat = clip[:, :2] / clip[:, 3:]
+        found: Corner = np.stack([(flat[:, 0] + 1) * width, (1 - flat[:, 1]) * height], axis=1) / 2
+        return found
+
+
+def own_corners(shape: Shape) -> Corner | None:
+    """The corners (m), (8, 3), of the box around a shape in its own frame. None without a mesh."""
+    mesh = np.array(shape.mesh, dtype=np.float64).reshape(-1, 3)
+    if not len(mesh):
+        return None
+    ends = np.stack([mesh.min(axis=0), mesh.max(axis=0)])
+    return np.array([[ends[i, 0], ends[j, 1], ends[k, 2]] for i, j, k in EIGHT])
+
+
+def placed(corners: Corner, pose: Sequence[float]) -> Corner:
+    """Points of a frame, (n, 3), in the world. ``pose`` has position (m) and quaternion."""
+    x, y, z, w = pose[3:7]
+    found: Corner = corners @ rotation_of((x, y, z, w)).T + np.array(pose[:3])
+    return found
 
 
 def box_of(shapes: Sequence[Shape], poses: Sequence[float]) -> Box3 | None:
@@ -134,13 +151,9 @@ def box_of(shapes: Sequence[Shape], poses: Sequence[float]) -> Box3 | None:
     without shapes."""
     corners = []
     for number, shape in enumerate(shapes):
-        mesh = np.array(shape.mesh, dtype=np.float64).reshape(-1, 3)
-        if len(mesh):
-            ends = np.stack([mesh.min(axis=0), mesh.max(axis=0)])
-            own = np.array([[ends[i, 0], ends[j, 1], ends[k, 2]] for i, j, k in EIGHT])
-            place, turn = poses[7 * number : 7 * number + 3], poses[7 * number + 3 : 7 * number + 7]
-            x, y, z, w = turn
-            corners.append(own @ rotation_of((x, y, z, w)).T + np.array(place))
+        own = own_corners(shape)
+        if own is not None:
+            corners.append(placed(own, poses[7 * number : 7 * number + 7]))
     if not corners:
         return None
     every = np.vstack(corners)

@@ -6,9 +6,10 @@ chosen view. Without OpenGL the pane says so, and the run goes on.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from time import perf_counter
 
+import numpy as np
 from PySide6.QtCore import QPointF, QRectF, Qt, QTimer, Signal
 from PySide6.QtGui import (
     QColor,
@@ -28,8 +29,16 @@ from PySide6.QtWidgets import QWidget
 from smsl_studio.legible import plain_text
 from smsl_studio.studio.base.theme import RADIUS_CHIP, RADIUS_CONTROL, Tokens, mono_font, text_font
 from smsl_studio.studio.base.tips import tip_text
-from smsl_studio.studio.running.scene.camera import VIEWS, WHOLE, WorldCamera, box_of
-from smsl_studio.studio.running.scene.name_places import free_place
+from smsl_studio.studio.running.scene.camera import (
+    VIEWS,
+    WHOLE,
+    Corner,
+    WorldCamera,
+    box_of,
+    own_corners,
+    placed,
+)
+from smsl_studio.studio.running.scene.name_places import SMALL, free_place, is_aside
 from smsl_studio.studio.running.scene.renderer import Renderer, RenderStyle, open_renderer
 from smsl_studio.world.protocol import Shape
 
@@ -54,8 +63,8 @@ class WorldView(QWidget):
         self._camera = self._home = VIEWS[self._named]
         self._renderer: Renderer | str | None = None
         self._shapes: tuple[Shape, ...] = ()
-        self._lowest: list[float] = []
-        """The lowest point (m) of each thing with a label, in its own frame."""
+        self._corners: list[Corner | None] = []
+        """The box around each thing with a label, in its own frame (m)."""
         self._poses: tuple[float, ...] = ()
         self._status: tuple[str, ...] = ()
         self._sentence = "Starts with the run"
@@ -89,7 +98,7 @@ class WorldView(QWidget):
     def load(self, shapes: Sequence[Shape], world: str) -> None:
         """Show another world. Without shapes a sentence says that there is nothing to draw."""
         self._shapes, self._poses, self._image = tuple(shapes), (), None
-        self._lowest = [min(s.mesh[2::3], default=0.0) if s.label else 0.0 for s in shapes]
+        self._corners = [own_corners(shape) if shape.label else None for shape in shapes]
         if not shapes:
             self._sentence = (
                 f"The {world} world has nothing to draw. The facts beside tell its state"
@@ -301,21 +310,37 @@ class WorldView(QWidget):
         painter.drawText(room, flags, plain_text(self._sentence))
 
     def _paint_labels(self, painter: QPainter) -> None:
-        """Paint the names of things close to them, none over another."""
+        """Paint the names of things close to them, none over another or over a small thing. A line
+        leads from a name that has to stand aside to its thing."""
         painter.setFont(mono_font(12, 600))
-        metrics, painted = QFontMetricsF(painter.font()), list[QRectF]()
-        for index, shape in enumerate(self._shapes):
-            if not shape.label or len(self._poses) < 7 * index + 3:
-                continue
-            x, y, z = self._poses[7 * index : 7 * index + 3]
-            foot = (x, y, max(0.0, z + self._lowest[index]))
-            at = self._camera.project(foot, self.width(), self.height())
-            if at is None:
-                continue
-            words = plain_text(shape.label)
-            box = free_place(at, max(18.0, metrics.horizontalAdvance(words) + 10), painted)
-            painted.append(box)
+        metrics, room = QFontMetricsF(painter.font()), QRectF(self.rect())
+        things = [(shape.label, seen) for shape, seen in self._things_seen()]
+        taken = [seen for _, seen in things if max(seen.width(), seen.height()) < SMALL]
+        for label, seen in things:
+            words, foot = plain_text(label), (seen.center().x(), seen.bottom())
+            wide = max(18.0, metrics.horizontalAdvance(words) + 10)
+            box = free_place(foot, wide, taken, room)
+            taken.append(box)
+            if is_aside(box, foot):
+                painter.setPen(QPen(self._tokens.tx3, 1.0))
+                painter.drawLine(box.center(), seen.center())
             self._paint_box(painter, box, words, self._tokens.tx)
+
+    def _things_seen(self) -> Iterator[tuple[Shape, QRectF]]:
+        """Yield the things with a label, each with what it covers of the picture. What is below the
+        ground is left out."""
+        for index, (shape, corners) in enumerate(zip(self._shapes, self._corners, strict=True)):
+            if corners is None or len(self._poses) < 7 * index + 7:
+                continue
+            world = placed(corners, self._poses[7 * index : 7 * index + 7])
+            world[:, 2] = np.maximum(world[:, 2], 0.0)
+            pixels = self._camera.pixels(world, self.width(), self.height())
+            if pixels is None:
+                continue
+            (left, top), (right, bottom) = pixels.min(axis=0), pixels.max(axis=0)
+            seen = QRectF(left, top, max(right - left, 1.0), max(bottom - top, 1.0))
+            if seen.intersects(QRectF(self.rect())):
+                yield shape, seen
 
     def _paint_chips(self, painter: QPainter) -> None:
         painter.setFont(text_font(12))

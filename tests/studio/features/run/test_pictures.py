@@ -15,7 +15,7 @@ from pytestqt.qtbot import QtBot
 
 from smsl_studio.studio.base.theme import LIGHT
 from smsl_studio.studio.running.scene.camera import VIEWS, WorldCamera, box_of
-from smsl_studio.studio.running.scene.name_places import free_place
+from smsl_studio.studio.running.scene.name_places import free_place, is_aside
 from smsl_studio.studio.running.scene.renderer import (
     Renderer,
     RenderStyle,
@@ -40,15 +40,23 @@ def _wall(y: float, z: float, colour: tuple[float, float, float]) -> Shape:
 STILL = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0)
 
 
+def _pixel(
+    camera: WorldCamera, point: tuple[float, float, float], width: int, height: int
+) -> tuple[float, float] | None:
+    """Where one point (m) is in a picture; None if it is behind the camera."""
+    found = camera.pixels(np.array([point]), width, height)
+    return None if found is None else (float(found[0, 0]), float(found[0, 1]))
+
+
 def test_the_target_is_in_the_middle_and_right_is_right() -> None:
-    assert AHEAD.project((0.0, 0.0, 0.0), 200, 100) == pytest.approx((100, 50))
-    right = AHEAD.project((0.0, 0.3, 0.0), 200, 100)
-    above = AHEAD.project((0.0, 0.0, 0.3), 200, 100)
+    assert _pixel(AHEAD, (0.0, 0.0, 0.0), 200, 100) == pytest.approx((100, 50))
+    right = _pixel(AHEAD, (0.0, 0.3, 0.0), 200, 100)
+    above = _pixel(AHEAD, (0.0, 0.0, 0.3), 200, 100)
     assert right is not None
     assert above is not None
     assert right[0] > 110
     assert above[1] < 45
-    assert AHEAD.project((3.0, 0.0, 0.0), 200, 100) is None
+    assert _pixel(AHEAD, (3.0, 0.0, 0.0), 200, 100) is None
 
 
 def test_orbit_pan_and_zoom_stay_sane() -> None:
@@ -71,7 +79,7 @@ def test_a_view_shows_the_whole_of_what_is_to_be_seen() -> None:
         for view in VIEWS.values():
             framed = view.framing((low, high), 800 / 500)
             for x, y, z in product(*zip(low, high, strict=True)):
-                at = framed.project((x, y, z), 800, 500)
+                at = _pixel(framed, (x, y, z), 800, 500)
                 assert at is not None
                 assert -20 < at[0] < 820
                 assert -20 < at[1] < 520
@@ -184,6 +192,18 @@ def test_the_name_of_a_thing_stays_near_it_and_over_no_other() -> None:
         assert math.dist((place.center().x(), place.center().y()), (x, y)) < 60
         taken.append(place)
     assert taken[3].top() == 48.0, "a name that is alone stands below its thing"
+    assert [is_aside(one, foot) for one, foot in zip(taken, feet, strict=True)] == [
+        False,
+        True,
+        True,
+        False,
+    ]
+
+
+def test_a_name_stays_in_the_picture_if_there_is_room() -> None:
+    room = QRectF(0.0, 0.0, 200.0, 100.0)
+    for foot in ((100.0, 95.0), (5.0, 50.0), (198.0, 99.0)):
+        assert room.contains(free_place(foot, 40.0, [], room))
 
 
 def test_very_many_names_at_one_place_take_no_time() -> None:
