@@ -1,14 +1,16 @@
 """Worlds in physics, with each of their robots: every edge alone, and the goal over many seeds.
 
 A run counts as true if its end is true by a judge that uses only what is drawn and told
-(``tests/plugins``). Simulated seconds a CPU second tell how quick a world is. Without ``--all`` few
-seeds are run. The bench ``faults`` has the runs with faults.
+(``tests/plugins``). Simulated seconds a CPU second tell how quick a world is. A busy machine makes
+CPU seconds longer, so the other robots stand beside the Panda in the same run. Without ``--all``
+few seeds are run. The bench ``faults`` has the runs with faults.
 """
 
 from __future__ import annotations
 
 import time
 from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
 
 from benches.row import Row
@@ -21,6 +23,9 @@ from tests.plugins.piece_games import GOALS, file_of, run_game
 from tests.plugins.site_runs import FLAT, SUBBED, run_site
 
 ROBOTS = ("panda", "iiwa", "dvrk")
+QUICK = "at least 5"
+"""What is promised of simulated seconds a CPU second."""
+
 HANOI = samples_dir() / "hanoi-corrected.json"
 
 
@@ -41,8 +46,14 @@ def _rows(seeds: int) -> Iterator[Row]:
     for game in GOALS:
         yield from _game(game, seeds)
     ways: set[tuple[str, ...]] = set()
+    usual: tuple[tuple[str, float], ...] = ()
     for robot in ROBOTS:
-        yield from _hanoi(robot, seeds, ways)
+        for row in _hanoi(robot, seeds, ways):
+            if row.bound != QUICK:
+                yield row
+                continue
+            yield replace(row, others=usual)
+            usual = usual or ((robot, row.ours),)
     yield Row("hanoi, all robots: different sequences of states", len(ways), "", bound="1")
 
 
@@ -62,7 +73,7 @@ def _hanoi(robot: str, seeds: int, ways: set[tuple[str, ...]]) -> Iterator[Row]:
     spent = time.process_time() - start
     name = f"{name}, {seeds} seeds"
     yield Row(f"{name}: runs that miss the goal", missed, "runs", bound="0")
-    yield Row(f"{name}: simulated seconds a CPU second", simulated / spent, "s", bound="at least 5")
+    yield Row(f"{name}: simulated seconds a CPU second", simulated / spent, "s", bound=QUICK)
     yield Row(f"{name}: all", spent, "CPU s")
 
 
@@ -87,7 +98,7 @@ def _game(game: str, seeds: int) -> Iterator[Row]:
     name = f"{game}, {seeds} seeds"
     yield Row(f"{name}: runs that miss the goal", missed, "runs", bound="0")
     yield Row(f"{name}: different sequences of states", len(ways), "", bound="1")
-    yield Row(f"{name}: simulated seconds a CPU second", simulated / spent, "s", bound="at least 5")
+    yield Row(f"{name}: simulated seconds a CPU second", simulated / spent, "s", bound=QUICK)
     yield Row(f"{name}: all", spent, "CPU s")
 
 
@@ -102,5 +113,5 @@ def _goals(file: str, seeds: int) -> Iterator[Row]:
     name = f"registration, {file}, {seeds} seeds"
     yield Row(f"{name}: runs that do not really register", missed, "runs", bound="0")
     yield Row(f"{name}: largest error at a target", worst, "mm", bound="below 0.5 mm")
-    yield Row(f"{name}: simulated seconds a CPU second", simulated / spent, "s", bound="at least 5")
+    yield Row(f"{name}: simulated seconds a CPU second", simulated / spent, "s", bound=QUICK)
     yield Row(f"{name}: all", spent, "CPU s")
