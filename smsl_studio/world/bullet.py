@@ -10,7 +10,6 @@ from __future__ import annotations
 
 import math
 import tempfile
-from collections.abc import Mapping
 from contextlib import suppress
 from pathlib import Path
 from typing import Any
@@ -18,14 +17,13 @@ from typing import Any
 import numpy as np
 
 from smsl_studio.errors import WorldError, did_you_mean
-from smsl_studio.world import shapes as drawing
 from smsl_studio.world.bodies import UPRIGHT, Body, Box, Capsule, Floor, Robot
 from smsl_studio.world.kinematics import Arm
 from smsl_studio.world.links import description, urdf_text
 from smsl_studio.world.manipulator import Manipulator, Pose
-from smsl_studio.world.models import models_folder
+from smsl_studio.world.planned_world import MODELS, PlannedWorld
 from smsl_studio.world.pose import check_amounts, check_orientation, check_position
-from smsl_studio.world.protocol import Quaternion, Shape, Vector
+from smsl_studio.world.protocol import Quaternion, Vector
 from smsl_studio.world.rest import CALM, Extent, restless, touching
 from smsl_studio.world.silence import silence
 
@@ -37,24 +35,13 @@ ROUNDS = 50
 """The usual number of rounds in which the engine solves the forces of one tick."""
 
 STILL: Vector = (0.0, 0.0, 0.0)
-MODELS = models_folder() or Path()
-"""The folder of the models that come with the engine, such as ``franka_panda/panda.urdf``."""
 
 
-class BulletWorld:
+class BulletWorld(PlannedWorld):
     """Rigid bodies and at most one robot, in ticks of 1/240 s."""
 
-    tick = 1.0 / 240.0
-    hardware = False
-
     def __init__(self, name: str = "bullet") -> None:
-        self.name = name
-        self.revision = 0
-        """A number that grows when a body may have moved. Poses that were read before are then
-        outdated."""
-        self._plan: list[Body | Robot] = []
-        self._arm: Arm | None = None
-        self._carriers: tuple[str, ...] | None = None
+        super().__init__(name)
         self._poses: dict[str, Pose] = {}
         self._applied: tuple[list[float], bytes] | None = None
         self._start()
@@ -64,18 +51,7 @@ class BulletWorld:
     def add(self, part: Body | Robot) -> None:
         """Add a body or the robot to the world. WorldError for a name that exists already, a second
         robot, or numbers that are not valid."""
-        if any(part.name == other.name for other in self._plan):
-            raise WorldError(f"{part.name!r} stands in the world already")
-        if isinstance(part, Robot) and self._robot is not None:
-            raise WorldError(f"{part.name!r} cannot be added: the world has a robot already")
-        if isinstance(part, Body):
-            check_position(part.name, part.position)
-            check_amounts(part.name, "mass and friction", (part.mass, part.friction), least=0.0)
-        else:
-            check_amounts(part.name, "the rest posture", part.rest)
-            check_position(part.name, part.point)
-            check_position(part.name, part.base)
-            check_amounts(part.name, "opening and friction", (part.opening, part.friction), 0.0)
+        self._check(part)
         self._plan.append(part)
         self._carriers = None
         with silence():
@@ -150,22 +126,10 @@ class BulletWorld:
     # -- moving --------------------------------------------------------------------------------
 
     @property
-    def time(self) -> float:
-        """The simulated time (s)."""
-        return self._ticks * self.tick
-
-    @property
-    def arm(self) -> Arm:
-        """The robot's kinematics. WorldError in a world without a robot."""
-        if self._arm is None:
-            raise WorldError(f"there is no robot in the world {self.name!r}")
-        return self._arm
-
-    @property
     def robot(self) -> Manipulator:
         """The robot's motors and sensors. WorldError in a world without a robot."""
         if self._robot is None:
-            raise WorldError(f"there is no robot in the world {self.name!r}")
+            raise self._no_robot()
         return self._robot
 
     def step(self) -> None:
@@ -177,11 +141,6 @@ class BulletWorld:
     def _changed(self) -> None:
         self._poses = {}
         self.revision += 1
-
-    def brake(self) -> None:
-        """Stop the robot if there is one."""
-        if self._robot is not None:
-            self._robot.brake()
 
     def place(self, name: str, position: Vector, orientation: Quaternion = UPRIGHT) -> None:
         """Put a body at a position (m) and orientation, without speed.
@@ -280,21 +239,6 @@ class BulletWorld:
         """Return the number of the robot's fingers that press on a body: 0, 1 or 2."""
         return self.robot.touching(self._id(name))
 
-    def status(self) -> Mapping[str, str]:
-        """Return the held body and the state of the gripper, for people. It is empty without a
-        robot."""
-        if self._robot is None:
-            return {}
-        held = [name for name in self._loose() if self.fingers_on(name) == 2]
-        holding = {"holding": held[0].replace("_", " ")} if held else {}
-        return {**holding, **self._robot.status()}
-
-    def shapes(self) -> tuple[Shape, ...]:
-        """Return all shapes to draw: meshes (m), each in the frame of its body."""
-        drawn = tuple(drawing.drawn(self._plan, MODELS))
-        self._carriers = tuple(name for name, _ in drawn)
-        return tuple(shape for _, shape in drawn)
-
     def poses(self) -> tuple[float, ...]:
         """Return 7 numbers for each shape: position (m) and quaternion (x, y, z, w)."""
         if self._carriers is None:
@@ -354,9 +298,6 @@ class BulletWorld:
             near = did_you_mean(name, self._ids)
             raise WorldError(f"there is no body {name!r} in the world {self.name!r}", advice=near)
         return found
-
-    def _loose(self) -> list[str]:
-        return [part.name for part in self._plan if isinstance(part, Body) and part.mass > 0]
 
     def close(self) -> None:
         """Close the engine. A second call does nothing."""

@@ -5,21 +5,17 @@
 
 from __future__ import annotations
 
-import math
 from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
-from smsl_studio.errors import WorldError
 from smsl_studio.world.bodies import UPRIGHT, Robot
 from smsl_studio.world.kinematics import Arm
-from smsl_studio.world.pose import check_amounts
 from smsl_studio.world.protocol import Quaternion, Vector
+from smsl_studio.world.robot_motors import Array, RobotMotors
 from smsl_studio.world.urdf import Urdf
 
-Array = NDArray[np.float64]
 Pose = tuple[Vector, Quaternion]
 
 GAIN = 0.5
@@ -30,12 +26,12 @@ FINGER_GAIN, JAW_GAIN = 0.1, 1.0
 things that a jaw holds are so light that a gentle finger would let them slip."""
 
 
-class Manipulator:
-    """The arm and fingers of one robot. ``goal`` has the commanded angles of the arm's joints
-    (rad)."""
+class Manipulator(RobotMotors):
+    """The arm and fingers of one robot, with the motors of PyBullet."""
 
     def __init__(self, engine: Any, robot: Robot, file: Path, urdf: Urdf, arm: Arm) -> None:
-        self._engine, self._urdf, self._plan = engine, urdf, robot
+        super().__init__(robot, len(arm.names))
+        self._engine, self._urdf = engine, urdf
         flags = engine.URDF_IGNORE_VISUAL_SHAPES
         self.body = int(
             engine.loadURDF(str(file), basePosition=robot.base, useFixedBase=True, flags=flags)
@@ -46,8 +42,6 @@ class Manipulator:
         self._arm = [joints[name] for name in arm.names]
         self._forces = [infos[index][10] for index in self._arm]
         self._fingers = [joints[name] for name in robot.fingers]
-        self._seized: dict[int, float] = {}
-        self._strongest = math.inf
         for index in self._fingers:
             engine.changeDynamics(self.body, index, lateralFriction=robot.friction)
         if self._fingers:
@@ -76,15 +70,7 @@ class Manipulator:
 
     # -- motors --------------------------------------------------------------------------------
 
-    def drive(self, joints: Array, speeds: Array | None = None) -> None:
-        """Move the arm's joints to the angles ``joints`` (rad), with the speeds ``speeds`` (rad/s)
-        at this point. Without speeds the joints stop there.
-
-        WorldError if there is not one finite number for each joint.
-        """
-        goal = self._one_each("angles", joints)
-        self._speeds = np.zeros(len(goal)) if speeds is None else self._one_each("speeds", speeds)
-        self.goal = goal
+    def _drive(self) -> None:
         self._engine.setJointMotorControlArray(
             self.body,
             self._arm,
@@ -98,35 +84,14 @@ class Manipulator:
             velocityGains=[1.0] * len(self.goal),
         )
 
-    def _one_each(self, what: str, values: Array) -> Array:
-        found = np.asarray(values, dtype=np.float64)
-        if found.shape != (len(self._arm),) or not np.isfinite(found).all():
-            words = f"{what} of {self._plan.name!r} cannot be {found.tolist()!r}"
-            raise WorldError(words, advice=f"It has {len(self._arm)} joints.")
-        return found
-
-    @property
-    def size(self) -> float:
-        """The size of the things that the hand is made for: 1 for those of a Panda."""
-        return self._plan.size
-
-    def grip(self, opening: float, force: float | None = None) -> None:
-        """Move both fingers to ``opening`` (m) from the middle with at most ``force`` (N). Without
-        one it is the usual force of the robot.
-
-        WorldError if a number is not finite, or if the force is below 0.
-        """
-        force = self._plan.force if force is None else force
-        check_amounts(self._plan.name, "the opening", [opening])
-        check_amounts(self._plan.name, "the force", [force], least=0.0)
-        self._grip = (opening, force)
+    def _press(self, opening: float, force: float) -> None:
         for joint in self._fingers:
             self._engine.setJointMotorControl2(
                 self.body,
                 joint,
                 self._engine.POSITION_CONTROL,
                 targetPosition=self._finger(opening),
-                force=min(force, self._strongest) * self._lever,
+                force=force * self._lever,
                 positionGain=FINGER_GAIN if self._plan.jaw is None else JAW_GAIN,
             )
 
@@ -134,40 +99,10 @@ class Manipulator:
         """Return the position of a finger's joint for a distance (m) from the middle."""
         return opening if self._plan.jaw is None else self._plan.jaw.angle(opening)
 
-    def _opening(self, position: float) -> float:
-        return position if self._plan.jaw is None else self._plan.jaw.opening(position)
-
     @property
     def _lever(self) -> float:
         """What makes the force of a finger that of its joint."""
         return 1.0 if self._plan.jaw is None else self._plan.jaw.length
-
-    def open(self) -> None:
-        """Open the fingers as wide as the plan of the robot says."""
-        self.grip(self._plan.opening)
-
-    def brake(self) -> None:
-        """Hold every joint at its position. Fingers that hold an object keep their force."""
-        arm, fingers = np.split(self._states(), [len(self._arm)])
-        self.drive(arm[:, 0])
-        if len(fingers) and np.abs(fingers[:, 1]).max() > 0.005:
-            self.grip(self._opening(float(fingers[:, 0].mean())), self._grip[1])
-
-    def seize(self, joint: int) -> None:
-        """Block one joint of the arm (counted from 0): it ignores later commands.
-
-        WorldError if the arm has no such joint.
-        """
-        if not 0 <= joint < len(self._arm):
-            raise WorldError(f"{self._plan.name!r} has no joint {joint}: they are counted from 0")
-        self._seized[joint] = float(self.joints()[joint])
-        self.drive(self.goal, self._speeds)
-
-    def weaken(self, strongest: float) -> None:
-        """Limit the force of the fingers to ``strongest`` (N) from now on. WorldError below 0."""
-        check_amounts(self._plan.name, "the force", [strongest], least=0.0)
-        self._strongest = strongest
-        self.grip(*self._grip)
 
     # -- senses --------------------------------------------------------------------------------
 
@@ -199,25 +134,22 @@ class Manipulator:
             name: (state[4], state[5]) for name, state in zip(self._links, states, strict=True)
         }
 
-    def status(self) -> dict[str, str]:
-        """Return the gripper's width (mm) and its commanded force (N) in words."""
-        if not self._fingers:
-            return {}
-        width = 2.0 * self._opening(float(self._states()[len(self._arm) :, 0].mean()))
-        return {"gripper": f"{1000 * width:.0f} mm, {self._grip[1]:.0f} N"}
+    def _opened(self) -> float:
+        position = float(self._states()[len(self._arm) :, 0].mean())
+        return position if self._plan.jaw is None else self._plan.jaw.opening(position)
+
+    def _finger_speeds(self) -> Array:
+        return self._states()[len(self._arm) :, 1]
 
     # -- coming back ---------------------------------------------------------------------------
 
     def state(self) -> list[float]:
         """Return angles, speeds and commands of the motors as plain numbers, for ``restore``."""
-        told = [*self.goal.tolist(), *self._speeds.tolist(), *self._grip]
-        return [*self._states().ravel().tolist(), *told]
+        return [*self._states().ravel().tolist(), *self._commands()]
 
     def restore(self, state: list[float]) -> None:
         """Go back to a ``state`` of the same robot."""
-        count, every = len(self._arm), self._arm + self._fingers
+        every = self._arm + self._fingers
         for row, joint in enumerate(every):
             self._engine.resetJointState(self.body, joint, *state[2 * row : 2 * row + 2])
-        told = state[2 * len(every) :]
-        self.drive(np.array(told[:count]), np.array(told[count : 2 * count]))
-        self.grip(*told[2 * count :])
+        self._command(state[2 * len(every) :])

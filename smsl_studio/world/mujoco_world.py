@@ -6,7 +6,6 @@ way. The engine compiles a whole model at once, so that is done when it is first
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from itertools import combinations
 from typing import Any
 
@@ -14,9 +13,7 @@ import mujoco
 import numpy as np
 
 from smsl_studio.errors import WorldError, did_you_mean
-from smsl_studio.world import shapes as drawing
 from smsl_studio.world.bodies import UPRIGHT, Body, Box, Capsule, Floor, Robot
-from smsl_studio.world.bullet import MODELS
 from smsl_studio.world.kinematics import Arm
 from smsl_studio.world.manipulator import Pose
 from smsl_studio.world.meshes import hulls_of
@@ -27,8 +24,9 @@ from smsl_studio.world.mujoco_arm import (
     STIFFNESS,
     MujocoArm,
 )
+from smsl_studio.world.planned_world import MODELS, PlannedWorld
 from smsl_studio.world.pose import check_amounts, check_orientation, check_position
-from smsl_studio.world.protocol import Quaternion, Shape, Vector
+from smsl_studio.world.protocol import Quaternion, Vector
 from smsl_studio.world.rest import CALM, restless
 from smsl_studio.world.urdf import read_urdf
 
@@ -45,45 +43,27 @@ INERTIA = 0.1
 STATE = mujoco.mjtState.mjSTATE_INTEGRATION
 
 
-class MujocoWorld:
+class MujocoWorld(PlannedWorld):
     """Rigid bodies and at most one robot, in ticks of 1/240 s."""
 
-    tick = 1.0 / 240.0
-    hardware = False
-
     def __init__(self, name: str = "mujoco") -> None:
-        self.name = name
-        self.revision = 0
-        """A number that grows when a body may have moved. Poses that were read before are then
-        outdated."""
-        self._plan: list[Body | Robot] = []
-        self._arm: Arm | None = None
+        super().__init__(name)
         self._robot: MujocoArm | None = None
         self._model: Any = None
         self._data: Any = None
-        self._carriers: tuple[str, ...] | None = None
-        self._ticks = 0
 
     # -- building ------------------------------------------------------------------------------
 
     def add(self, part: Body | Robot) -> None:
         """Add a body or the robot to the world. WorldError for a name that exists already, a second
         robot, or numbers that are not valid."""
-        if any(part.name == other.name for other in self._plan):
-            raise WorldError(f"{part.name!r} stands in the world already")
-        if isinstance(part, Body):
-            check_position(part.name, part.position)
-            check_amounts(part.name, "mass and friction", (part.mass, part.friction), least=0.0)
-        else:
-            if self._arm is not None:
-                raise WorldError(f"{part.name!r} cannot be added: the world has a robot already")
+        self._check(part)
+        if isinstance(part, Robot):
             if part.links or not part.urdf:
                 raise WorldError(
                     f"{part.name!r} has links of its own, which MuJoCo is not told yet",
                     advice="Use an arm that a URDF file describes whole, such as panda.",
                 )
-            check_amounts(part.name, "the rest posture", part.rest)
-            check_amounts(part.name, "opening and friction", (part.opening, part.friction), 0.0)
             chain = read_urdf(MODELS / part.urdf).chain(part.tool, part.point)
             self._arm = Arm(chain, part.rest)
         self._plan.append(part)
@@ -132,24 +112,12 @@ class MujocoWorld:
     # -- moving --------------------------------------------------------------------------------
 
     @property
-    def time(self) -> float:
-        """The simulated time (s)."""
-        return self._ticks * self.tick
-
-    @property
-    def arm(self) -> Arm:
-        """The robot's kinematics. WorldError in a world without a robot."""
-        if self._arm is None:
-            raise WorldError(f"there is no robot in the world {self.name!r}")
-        return self._arm
-
-    @property
     def robot(self) -> MujocoArm:
         """The robot's motors and sensors. WorldError in a world without a robot."""
         if self._model is None:
             self._compile()
         if self._robot is None:
-            raise WorldError(f"there is no robot in the world {self.name!r}")
+            raise self._no_robot()
         return self._robot
 
     def step(self) -> None:
@@ -160,11 +128,6 @@ class MujocoWorld:
 
     def _changed(self) -> None:
         self.revision += 1
-
-    def brake(self) -> None:
-        """Stop the robot if there is one."""
-        if self._arm is not None:
-            self.robot.brake()
 
     def place(self, name: str, position: Vector, orientation: Quaternion = UPRIGHT) -> None:
         """Put a body at a position (m) and orientation, without speed. WorldError for an unknown
@@ -264,24 +227,6 @@ class MujocoWorld:
             near = did_you_mean(name, [part.name for part in self._plan])
             raise WorldError(f"there is no body {name!r} in the world {self.name!r}", advice=near)
         return found
-
-    def _loose(self) -> list[str]:
-        return [part.name for part in self._plan if isinstance(part, Body) and part.mass > 0]
-
-    def status(self) -> Mapping[str, str]:
-        """Return the held body and the state of the gripper, for people. It is empty without a
-        robot."""
-        if self._arm is None:
-            return {}
-        held = [name for name in self._loose() if self.fingers_on(name) == 2]
-        holding = {"holding": held[0].replace("_", " ")} if held else {}
-        return {**holding, **self.robot.status()}
-
-    def shapes(self) -> tuple[Shape, ...]:
-        """Return all shapes to draw: meshes (m), each in the frame of its body."""
-        drawn = tuple(drawing.drawn(self._plan, MODELS))
-        self._carriers = tuple(name for name, _ in drawn)
-        return tuple(shape for _, shape in drawn)
 
     def poses(self) -> tuple[float, ...]:
         """Return 7 numbers for each shape: position (m) and quaternion (x, y, z, w)."""

@@ -10,8 +10,8 @@ import pytest
 
 from plugins.hanoi.disks import HOLE, MARGIN, disks_for, peg_body
 from smsl_studio.world.bodies import Body, Hulls
-from smsl_studio.world.bullet import MODELS
 from smsl_studio.world.meshes import Mesh, moved, read_obj, soup, thinned, turned
+from smsl_studio.world.planned_world import MODELS
 
 
 def _volume(mesh: Mesh) -> float:

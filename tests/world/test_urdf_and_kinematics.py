@@ -9,8 +9,9 @@ from hypothesis import strategies as st
 
 from smsl_studio.errors import WorldError
 from smsl_studio.world.bodies import Robot
-from smsl_studio.world.bullet import MODELS, BulletWorld
+from smsl_studio.world.bullet import BulletWorld
 from smsl_studio.world.kinematics import Arm, rotation_of, rotation_of_rpy
+from smsl_studio.world.planned_world import MODELS
 from smsl_studio.world.urdf import read_urdf
 
 PANDA = read_urdf(MODELS / "franka_panda" / "panda.urdf")
