@@ -6,6 +6,7 @@ import copy
 import json
 from collections.abc import Callable
 from pathlib import Path
+from random import Random
 from typing import Any
 
 import pytest
@@ -290,3 +291,40 @@ def test_a_stop_goes_first_and_is_acknowledged(tmp_path: Path) -> None:
     assert done.reason == "stopped"
     assert "it was stopped before it had answered. It acknowledged a stop" in done.sentence
     assert running.heard[-2:] == ["stop", "close"]
+
+
+ODD: list[Any] = [None, True, -1, 0, 3, 1e308, -0.5, "", "idle", "returned", "a", "h", [], {}, [[]],
+                  "\ud800", "\x1b[2J", 2**70, "x" * 3000]  # fmt: skip
+
+
+def spoilt(chance: Random, answer: Frame) -> Frame:
+    """An answer with odd values at some of its keys, also within its lists."""
+    for _ in range(chance.randrange(1, 4)):
+        place = answer
+        inner = [one for key in answer if isinstance(answer[key], list) for one in answer[key]]
+        if inner and chance.random() < 0.5:
+            place = chance.choice(inner)
+        if isinstance(place, dict) and place:
+            key = chance.choice(sorted(place))
+            if chance.random() < 0.2:
+                del place[key]
+            else:
+                place[key] = copy.deepcopy(chance.choice(ODD))
+    return answer
+
+
+def test_random_answers_are_believed_or_end_the_run(tmp_path: Path) -> None:
+    blueprint = read(HANOI)
+    ends = set()
+    for seed in range(300):
+        chance = Random(seed)
+
+        def lie(verb: str, answer: Frame, chance: Random = chance) -> bytes | None:
+            spoils = verb not in ("stop", "hello") and chance.random() < 0.2
+            return frame_bytes(spoilt(chance, answer) if spoils else answer)
+
+        with program(blueprint, tmp_path, lie):
+            # An odd time limit or period may let a run end as any run may.
+            ends.add(end_of(driven(blueprint, tmp_path, GOAL))[0])
+    assert "failed" in ends
+    assert ends <= {"failed", "goal_reached", "held", "refused", "no_route"}
