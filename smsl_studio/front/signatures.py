@@ -36,6 +36,7 @@ from smsl_studio.inspection.approval.record_file import (
 from smsl_studio.inspection.approval.refusal import Refusal
 from smsl_studio.inspection.approval.rule_code import rule_codes
 from smsl_studio.inspection.approval.rule_scores import rule_scores
+from smsl_studio.inspection.approval.seen_index import is_followed
 from smsl_studio.inspection.approval.seen_records import keep_record, newest_seen
 from smsl_studio.inspection.approval.statement import (
     APPROVED,
@@ -195,7 +196,7 @@ def approve(request: ApprovalRequest) -> SignedApproval:
         time=written_time(asked.now),
         expires=_expiry(asked),
         content={name: content_of(part) for name, part in parts},
-        follows=last.digest if last else None,
+        follows=_followed_by(last),
     )
     statement = statement_of([signed_file(*part) for part in parts], predicate)
     envelope = sign(PAYLOAD_TYPE, statement.payload())
@@ -241,6 +242,15 @@ def _last_of(
     seen = newest_seen(asked.blueprint.file, closure, person)
     both = [*own[-1:], *([seen] if seen else [])]
     return max(both, key=lambda one: one.statement.time, default=None)
+
+
+def _followed_by(last: SignedRecord | None) -> str | None:
+    """Return the digest of the record that a new one follows, if there is one.
+
+    A copy of what was signed, changed and signed again elsewhere begins a chain of its own: a
+    second record behind the same one would count as an older one at once.
+    """
+    return None if last is None or is_followed(last.digest) else last.digest
 
 
 def _check_clock(now: datetime, before: Iterable[SignedRecord]) -> None:

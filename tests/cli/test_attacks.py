@@ -90,3 +90,20 @@ def test_the_digest_in_the_header_is_that_of_the_policy_that_was_judged(
     found = trust_files(policy)
     assert isinstance(found, TrustFiles)
     assert found.grounds.policy.needed == 1
+
+
+def test_a_copy_of_an_earlier_version_is_signed_without_a_fork(desk: Desk) -> None:
+    """The copy stands elsewhere, and the file has been changed and signed again since."""
+    copy = desk.folder / "elsewhere" / "door.json"
+    copy.parent.mkdir()
+    copy.write_bytes(Path(desk.file).read_bytes())
+    assert desk.approve("ada").status == 0
+    changed = json.loads(Path(desk.file).read_bytes())
+    changed["DOOR"]["State_0"]["push"] = "State_1"
+    desk.write(changed)
+    assert desk.approve("ada", "--disposition", "R27@DOOR/State_0/push=wanted").status == 0
+    assert desk.codes() == []
+    assert desk.shell("approve", str(copy), "--key", "ada").status == 0
+    answer = desk.shell("verify", str(copy), "--format", "json")
+    assert (answer.status, answer.json["refusals"]) == (0, [])
+    assert desk.codes() == [], "the file that was changed is not older either"

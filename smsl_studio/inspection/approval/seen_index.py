@@ -53,6 +53,11 @@ def newest_entry(file: str, closure: str = "", person: str | None = None) -> str
     return best
 
 
+def is_followed(digest: str) -> bool:
+    """Return whether a record was seen that comes after this one in the chain of a person."""
+    return any(one["follows"] == digest for _, one in entries())
+
+
 def records_folder() -> Path:
     """Return the folder of the records. It exists only after the first record was seen."""
     return store_folder() / "records"
