@@ -133,8 +133,7 @@ class ProgramHost:
             limit = self._program.terms.answer_limit
             self._program.ask("inject", limit, fault=fault, parameters=parameters)
         except Declined as error:
-            words = f"the fault {fault}: {error.sentence}"
-            raise UsageError(words, advice=error.advice) from None
+            raise UsageError(error.sentence, advice=error.advice) from None
 
     def costs(self, scene: Mapping[str, str | None], happened: Sequence[Happened]) -> Priced:
         """Return no costs. The protocol has none, so the declared ones count."""

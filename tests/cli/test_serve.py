@@ -106,6 +106,32 @@ def test_a_served_plugin_gives_the_same_story_with_its_faults(
             assert there.status == here.status
 
 
+def test_faults_of_a_served_table_are_injected_and_refused_alike(
+    shell: Shell, tmp_path: Path, place: str
+) -> None:
+    script = tmp_path / "script.jsonl"
+    acts: list[dict[str, Any]] = [
+        {"at": 0.0, "do": "inject", "fault": "fail"},
+        {"at": 0.2, "do": "inject", "fault": "set", "fact": "SB1/0", "value": "b"},
+    ]
+    script.write_text("\n".join(map(json.dumps, acts)), "utf-8")
+    argv = ("run", sample("hanoi-2"), "--script", str(script), "--format", "json")
+    with serving("table", place):
+        there = shell(*argv, "--world", "remote", "--address", place)
+        assert story(there.lines) == story(shell(*argv, "--world", "table").lines)
+        assert "fault_injected" in there.out
+        unknown = {"at": 0.0, "do": "inject", "fault": "fial"}
+        broken = {"at": 0.0, "do": "inject", "fault": "set", "fact": "SB9/0", "value": "b"}
+        script.write_text("\n".join(map(json.dumps, (unknown, broken))), "utf-8")
+        refused = [
+            one["refused"]
+            for one in shell(*argv, "--world", "remote", "--address", place).lines
+            if one["event"] == "commanded"
+        ]
+    assert refused[0] == "the world 'remote' has no fault 'fial'. Did you mean fail?"
+    assert refused[1].startswith("the fault set: no fact called 'SB9/0' is sensed")
+
+
 def test_a_log_of_a_remote_world_is_told_again(shell: Shell, tmp_path: Path, place: str) -> None:
     log = str(tmp_path / "run.jsonl")
     with serving("table", place):
