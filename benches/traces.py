@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import sys
 import time
 from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
@@ -42,6 +43,10 @@ def compared(words: str, runs: Iterable[AnyRun]) -> Iterator[Row]:
             child, log = in_child_and_log(run, Path(folder) / f"{count}.jsonl")
             found = (child, log, in_window(run, wait))
             for place, trace in zip(differing, found, strict=True):
-                differing[place] += trace != told
+                if trace != told:
+                    differing[place] += 1
+                    # A child that gets too little time is ended, and then its last event says so.
+                    last = (trace or ["nothing"])[-1][:300]
+                    print(f"{words}, run {count}, {place}: {last}", file=sys.stderr, flush=True)
     for place, many in differing.items():
         yield Row(f"{count} {words}, here and in {place}", many, "traces differ", bound="0")
