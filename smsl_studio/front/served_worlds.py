@@ -51,7 +51,7 @@ def serve(
     as JSON objects. UsageError for an address, a token or a robot that cannot be used. WorldError
     if there is no such world, or nobody can listen. RunRefused if it is hardware.
 
-    >>> serve("table", "127.0.0.1:0")
+    >>> serve("chess", "127.0.0.1:0")
     Traceback (most recent call last):
         ...
     smsl_studio.errors.UsageError: '127.0.0.1:0' is no address
