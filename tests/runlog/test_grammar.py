@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import itertools
 import json
 from collections import Counter
 from copy import deepcopy
@@ -329,3 +330,12 @@ def test_an_operation_that_nobody_asked_for_is_refused_after_another_one(tmp_pat
     doubt = judged(story.raw()).doubt
     assert doubt is not None
     assert "Op_2b begins" in str(doubt)
+
+
+@pytest.mark.parametrize("number", [1547, 2451])
+def test_a_hazard_may_be_met_where_an_operation_fails(number: int, tmp_path: Path) -> None:
+    """In these random runs the hazard is told directly after the operation became risky."""
+    raw = true_log(number, tmp_path).read_bytes()
+    events = [one["event"] for one in Story.of(raw).events]
+    assert ("operation_risky", "hazard_met") in itertools.pairwise(events)
+    assert judged(raw).doubt is None

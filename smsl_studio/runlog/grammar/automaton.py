@@ -246,8 +246,8 @@ def _always(memory: Memory, event: Event, row: EventRow) -> Iterator[str]:
         yield f"{memory.cause.command.replace('_', ' ')} was carried out, but had no effect"
 
 
-_LOOKS = (run.OperationRisky, run.FactChanged, run.Mismatch, run.Relocalised, run.TaskOpened,
-          run.Held)  # fmt: skip
+_LOOKS = (run.OperationRisky, run.FactChanged, run.HazardMet, run.Mismatch, run.Relocalised,
+          run.TaskOpened, run.Held)  # fmt: skip
 """The events that may follow a failure."""
 _SETTLES = (run.Held, run.Relocalised, run.TaskClosed)
 """The events that may follow a mismatch. Open questions to people are closed first."""
