@@ -1,12 +1,15 @@
 """Run the benches: ``./dev bench`` for all, ``./dev bench load start`` for some.
 
 ``--write`` puts the rows into docs/benches.md, with the command that made them. ``--all`` runs the
-benches that would take minutes (edits, fuzz) in full, not only a share of them.
+benches that would take minutes (edits, fuzz) in full, not only a share of them. With
+``--all --keep=FOLDER`` the counts of tampers and of forged runs go on from ``tampers.jsonl`` and
+``forged.jsonl`` in that folder.
 """
 
 from __future__ import annotations
 
 import importlib
+import inspect
 import os
 import platform
 import sys
@@ -73,19 +76,24 @@ BENCHES = (
 PAGE = Path(__file__).parent.parent / "docs" / "benches.md"
 
 
-def rows(names: list[str], everything: bool) -> Iterator[tuple[str, Row]]:
-    """Yield the rows of the named benches, each as soon as it is measured."""
+def rows(names: list[str], everything: bool, kept: Path | None) -> Iterator[tuple[str, Row]]:
+    """Yield the rows of the named benches, each as soon as it is measured.
+
+    ``kept`` is a folder. A long count goes on from its file there, such as ``forged.jsonl``.
+    """
     for name in names:
         module = importlib.import_module(f"benches.{name}")
         make = getattr(module, "all_rows", module.rows) if everything else module.rows
-        for row in make():
+        goes_on = kept is not None and "keep" in inspect.signature(make).parameters
+        for row in make(kept / f"{name}.jsonl") if kept and goes_on else make():
             yield name, row
 
 
 def line(name: str, row: Row) -> str:
     """Write one row of the Markdown table."""
     others = ", ".join(f"{other} {figure:,.4g}" for other, figure in row.others)
-    cells = (name, row.work, f"{row.ours:,.4g} {row.unit}", others, row.ratios(), row.bound)
+    ours = f"{row.ours:,.0f}" if row.ours >= 1e4 else f"{row.ours:,.4g}"
+    cells = (name, row.work, f"{ours} {row.unit}", others, row.ratios(), row.bound)
     return "| " + " | ".join(cells) + " |"
 
 
@@ -119,7 +127,8 @@ def main(arguments: list[str]) -> int:
     print(HEAD, flush=True)
     lines = []
     everything = "--all" in arguments
-    for name, row in rows(wanted, everything):
+    folder = next((one.partition("=")[2] for one in arguments if one.startswith("--keep=")), "")
+    for name, row in rows(wanted, everything, Path(folder) if folder else None):
         lines.append(line(name, row))
         print(lines[-1], flush=True)
     if "--write" in arguments:

@@ -60,9 +60,11 @@ def rows() -> Iterator[Row]:
     yield from _rows(counted(believed, _parts(0, TRUE)))
 
 
-def all_rows() -> Iterator[Row]:
-    """All true and all forged runs, by two processes."""
-    yield from _rows(counted(believed, _parts(0, ALL_TRUE), workers=2))
+def all_rows(keep: Path | None = None) -> Iterator[Row]:
+    """All true and all forged runs, by two processes. ``keep`` is the file of what was counted
+    before.
+    """
+    yield from _rows(counted(believed, _parts(0, ALL_TRUE), workers=2, keep=keep))
 
 
 def _parts(first: int, behind: int) -> list[Share]:

@@ -18,6 +18,7 @@ from __future__ import annotations
 import time
 from collections import Counter
 from collections.abc import Iterator, Mapping
+from pathlib import Path
 
 from benches.row import Row
 from benches.shares import asked, counted, shares_of
@@ -38,9 +39,9 @@ def rows() -> Iterator[Row]:
     yield Row("one tamper", (time.process_time() - began) * 1000 / (SOME * len(ALL_KINDS)))
 
 
-def all_rows() -> Iterator[Row]:
-    """All, by two processes."""
-    yield from _rows(counted(tried, shares_of(ALL_KINDS, 0, EACH), workers=2))
+def all_rows(keep: Path | None = None) -> Iterator[Row]:
+    """All, by two processes. ``keep`` is the file of what was counted before."""
+    yield from _rows(counted(tried, shares_of(ALL_KINDS, 0, EACH), workers=2, keep=keep))
 
 
 def tried(kind: str, first: int, behind: int) -> dict[str, int]:
