@@ -104,11 +104,11 @@ def on_within(s, e):  # the story of what it runs
 		levels={}, grounds=Map()), below.start)
 	no(op.how or below.t != e.t or plain(below) != raw and b"\\u" not in raw); take(op.below, below)
 def on_run_started(s, e):  # as the header and bases say
-	s.h.met, s.goals, start = e.met, {g: parts(g) for g in e.goals}, e.start; no(s.began)
-	roots, s.sensed = {b: s.ends[b] for b in s.sbs if b not in s.based}, {*map(fact, e.sensed)}
+	s.h.met, s.goals, start = e.met, {g: parts(g) for g in e.goals}, e.start; no(e.seed != s.h.seed)
+	s.sensed = {*map(fact, e.sensed)}; no(s.began or s.sensed - {*s.notes} or s.facts and not s.names)
 	own = {b: x if (x := start[b]) == s.ends[b] and b in s.based else s.sbs[b].initial for b in s.sbs}
-	no(s.facts and not s.names or (e.behaviour, e.world, e.seed, start, dict(s.goals.values())) !=
-		(s.whole, s.h.world, s.h.seed, own | s.at | s.conf, dict(map(parts, s.h.goals)) or roots))
+	no((e.behaviour, e.world, start, dict(s.goals.values())) != (s.whole, s.h.world, own | s.at |
+		s.conf, dict(map(parts, s.h.goals)) or {b: s.ends[b] for b in {*s.sbs} - s.based}))
 	s.conf, s.start, s.began = start, {**start}, 1; no(broken(s, start) or hazards(s))
 def on_fact_changed(s, e):  # a source or a person tells it
 	key = b, n = e.branch, e.digit; v, name, note = e.value, text(b, str(n)), s.notes[key]

@@ -233,6 +233,14 @@ def test_what_somebody_ends_is_over_at_that_time(runs: list[ToldRun]) -> None:
     assert tried
 
 
+@pytest.mark.parametrize("named", ["State_0", "SB/999999", "", "nowhere/0", "/"])
+def test_what_is_sensed_are_facts_of_the_blueprint(named: str, runs: list[ToldRun]) -> None:
+    told = ((Story.of(run.raw), run.blueprint) for run in runs)
+    story, blueprint = next(one for one in told if one[0].at("run_started"))
+    story.events[story.at("run_started")[0]]["sensed"].append(named)
+    assert told_again(story.raw(), blueprint)
+
+
 @pytest.mark.parametrize("effect", ["disturbed", "fault_injected"])
 def test_what_is_disturbed_is_what_was_commanded(effect: str, runs: list[ToldRun]) -> None:
     tried = 0
