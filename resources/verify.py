@@ -223,7 +223,7 @@ def on_run_finished(s, e):  # for a reason that was told
 		(s.count or s.begun) and (not s.began or ("start", "") in s.said), END: s.told == [*s.goals] and
 		why.startswith(", ".join(s.told) + " hold")}; no(not ends[r]); s.over = r; r == END and arrived(s)
 def story(known, of, h, at): return Map(known[of], known=known, h=h, at=at, shut={*h.avoid},
-	tasks={}, plan=(), met=set(), last=Map(t=0), cause=Map(effect=""), t=0, end=2**53, count=0)
+	tasks={}, plan=(), met=set(), last=Map(t=0), cause=Map(effect=""), t=0, end=2**53, hand=0, count=0)
 def tell(known, raw, files=()):  # a log of what is here
 	h, events = lines(raw); of = h.digests; no(not raw.startswith(b'{"log":"smsl-run","version":3,'))
 	no([of[p] for p in PARTS[1:]] not in [c.hexes[1:] for c in known.values()] or files and {of.file,
