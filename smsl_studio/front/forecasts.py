@@ -16,6 +16,7 @@ from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.blueprint.stepper import Stepper
 from smsl_studio.blueprint.terms import Terms
 from smsl_studio.dispatch.dispatcher import Dispatcher
+from smsl_studio.dispatch.drive.foresight import sensed_values
 from smsl_studio.dispatch.drive.terms import RunTerms
 from smsl_studio.host.protocol import Host
 from smsl_studio.runlog.events import Committed, OperationRefused
@@ -76,7 +77,8 @@ def carried(hierarchy: Hierarchy, host: Host, dispatcher: Dispatcher, edge: Addr
     for it wants to stop.
     """
     host.suppose(edge)
-    before, configuration = _sensed(dispatcher), dispatcher.standing.configuration
+    standing = dispatcher.standing
+    before, configuration = sensed_values(standing.scene), standing.configuration
     stepper = Stepper(hierarchy, Terms(failing=None))
     known = stepper.edges.get(edge)
     step = stepper.step(configuration, known) if known is not None else None
@@ -89,7 +91,7 @@ def carried(hierarchy: Hierarchy, host: Host, dispatcher: Dispatcher, edge: Addr
         events += dispatcher.tick()
     done = any(isinstance(e, Committed) and str(edge) in e.operations for e in events)
     refused = next((e.reasons for e in events if isinstance(e, OperationRefused)), ())
-    after = _sensed(dispatcher)
+    after = sensed_values(dispatcher.standing.scene)
     expected = flags(hierarchy.blueprint, {**configuration, **moved})
     declared: Facts = {
         text: value
@@ -100,15 +102,6 @@ def carried(hierarchy: Hierarchy, host: Host, dispatcher: Dispatcher, edge: Addr
     sentence = "; ".join(refused) or ("" if done else dispatcher.standing.sentence)
     hazard = _hazard(hierarchy.blueprint, after, dispatcher.standing.configuration)
     return Forecast(str(edge), before, after, declared, agrees, float(agrees), hazard, sentence)
-
-
-def _sensed(dispatcher: Dispatcher) -> Facts:
-    readings = dispatcher.standing.scene.readings
-    return {
-        f"{branch}/{digit}": one.value
-        for (branch, digit), one in sorted(readings.items())
-        if one.sensed
-    }
 
 
 def _hazard(blueprint: Blueprint, after: Facts, configuration: Mapping[str, str]) -> str:

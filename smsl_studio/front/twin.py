@@ -88,7 +88,7 @@ class Twin:
         if dispatcher.finished:
             raise HostError(dispatcher.standing.sentence)
         if dispatcher.phase == "waiting":
-            return Prediction(NONE, reason=ASKS)
+            return ASKS
         return _compared(found)
 
     def _refuse_what_is_real(self) -> None:

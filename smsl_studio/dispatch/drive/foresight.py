@@ -10,6 +10,7 @@ from types import MappingProxyType
 from typing import Protocol
 
 from smsl_studio.blueprint.address import Address
+from smsl_studio.blueprint.check import Scene
 from smsl_studio.blueprint.joint import JointStep
 from smsl_studio.dispatch.drive.supervisor import ALLOW, ASK, HOLD, Verdict
 from smsl_studio.dispatch.execution.run import LiveRun
@@ -23,10 +24,8 @@ LEVELS = (SHOW, ASK, HOLD)
 FORECAST = "forecast"
 """The name under which it stands in the record."""
 NO_FACTS: Mapping[str, str] = MappingProxyType({})
-BY_PERSON = "a person carries it out"
-ASKS = "a person has to answer before it goes on"
-OF_PEOPLE = (BY_PERSON, ASKS)
-"""Why there is no forecast, if it is a person who decides. Such a step needs none."""
+BY_PERSON = Prediction(NONE, reason="a person carries it out", by_people=True)
+ASKS = Prediction(NONE, reason="a person has to answer before it goes on", by_people=True)
 
 
 class Simulator(Protocol):
@@ -52,11 +51,11 @@ class Foresight:
         """Tell the forecast of a step, and return it."""
         edge = step.asked.address
         if any(run.by_person(one) for one in step.edges):
-            found = Prediction(NONE, reason=BY_PERSON)
+            found = BY_PERSON
         else:
             found = self._simulator.predict(dict(run.configuration), edge)
         self._made = (edge, found)
-        now = sensed_values(run)
+        now = sensed_values(run.senses.scene)
         facts = {
             key: UNKNOWN if value is None else value
             for key, value in found.after.items()
@@ -67,7 +66,7 @@ class Foresight:
 
     def verdict(self, found: Prediction) -> Verdict:
         """Return what the level says about a forecast."""
-        if self._level == SHOW or found.verdict == AGREES or found.reason in OF_PEOPLE:
+        if self._level == SHOW or found.verdict == AGREES or found.by_people:
             return Verdict(ALLOW)
         words = "no forecast" if found.verdict == NONE else "the forecast differs"
         return Verdict(self._level, f"{words}: {found.reason}", by=FORECAST)
@@ -80,7 +79,7 @@ class Foresight:
         made, self._made = self._made, None
         if made is None or made[0] != step.asked.address or made[1].verdict == NONE:
             return
-        now = sensed_values(run)
+        now = sensed_values(run.senses.scene)
         wrong = [
             f"{key} is {now[key]}, not {value or 'unknown'}"
             for key, value in made[1].after.items()
@@ -100,7 +99,10 @@ def _tell(
     run.emit(told)
 
 
-def sensed_values(run: LiveRun) -> dict[str, str | None]:
-    """Return the value of each sensed fact (None: unknown), by ``SB/digit``."""
-    readings = run.senses.scene.readings
-    return {f"{Address(key[0])}/{key[1]}": readings[key].value for key in sorted(run.senses.sensed)}
+def sensed_values(scene: Scene) -> dict[str, str | None]:
+    """Return the value of each sensed fact of a scene by ``SB/digit``. None is an unknown fact."""
+    return {
+        f"{Address(branch)}/{digit}": one.value
+        for (branch, digit), one in sorted(scene.readings.items())
+        if one.sensed
+    }

@@ -9,6 +9,7 @@ from dataclasses import dataclass, replace
 from PySide6.QtCore import QObject, QTimer, Signal
 
 from smsl_studio.blueprint.address import Address
+from smsl_studio.dispatch.drive.foresight import sensed_values
 from smsl_studio.dispatch.execution.status import DispatchStatus
 from smsl_studio.front.request import RunRequest
 from smsl_studio.library.loaded import Loaded
@@ -77,7 +78,7 @@ class Forecaster(QObject):
             host = "local" if request.world == TABLE else "process"
             self._twin = self._make(replace(request, host=host), loaded, gentle=True)
         self._key, self._wanted = key, (dict(status.configuration), edge)
-        self.view = ForecastView(edge, values_of(status))
+        self.view = ForecastView(edge, sensed_values(status.scene))
         self._beside.drop()
         self._quiet.start()
         self.changed.emit()
@@ -85,7 +86,7 @@ class Forecaster(QObject):
     def anew(self, status: DispatchStatus | None) -> None:
         """Look again for the forecast that is shown."""
         if self.view is not None and status is not None and self._wanted is not None:
-            self.view = ForecastView(self.view.edge, values_of(status))
+            self.view = ForecastView(self.view.edge, sensed_values(status.scene))
             self._beside.drop()
             self._quiet.start()
             self.changed.emit()
@@ -119,12 +120,3 @@ class Forecaster(QObject):
         if self.view is not None:
             self.view = replace(self.view, found=found)
             self.changed.emit()
-
-
-def values_of(status: DispatchStatus) -> Values:
-    """Return the value of each sensed fact (None: unknown), by ``SB/digit``."""
-    return {
-        f"{Address(branch)}/{digit}": one.value
-        for (branch, digit), one in sorted(status.scene.readings.items())
-        if one.sensed
-    }

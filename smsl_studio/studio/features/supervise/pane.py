@@ -13,6 +13,7 @@ from PySide6.QtWidgets import (
 )
 
 from smsl_studio.blueprint.address import Address
+from smsl_studio.dispatch.drive.foresight import sensed_values
 from smsl_studio.dispatch.execution.status import DispatchStatus
 from smsl_studio.dispatch.supervision.table import COMMANDS
 from smsl_studio.front.views.partial import PartialView, partial_view, shown_branch
@@ -31,7 +32,7 @@ from smsl_studio.studio.features.supervise.right_column import RightColumn
 from smsl_studio.studio.features.supervise.splits import Rolled, column_of, split_of
 from smsl_studio.studio.features.supervise.step_in import StepIn
 from smsl_studio.studio.running import decisions
-from smsl_studio.studio.running.forecaster import Forecaster, values_of
+from smsl_studio.studio.running.forecaster import Forecaster
 from smsl_studio.studio.running.hold_card import HoldCard
 from smsl_studio.studio.running.run_canvas import RunCanvas
 from smsl_studio.studio.running.run_session import ENDABLE, RunSession
@@ -294,7 +295,7 @@ class SupervisePane(QWidget):
     def _show_forecast(self) -> None:
         run, status = self._run, self._run.status
         at_work = status is not None and (status.carrying or status.running) is not None
-        now = values_of(status) if status is not None else {}
+        now = sensed_values(status.scene) if status is not None else {}
         self.forecast.show_forecast(run.blueprint, self.forecaster.view, now, at_work)
 
     def _place_heads(self) -> None:
