@@ -48,8 +48,8 @@ def lines(raw):  # 2 THE LOG: each line has the SHA-256 of all before it
 		hash.update(line[:-66])
 		no(line[-76:] != b',"chain":"%s"}' % hash.hexdigest().encode(), f"line {n} was changed")
 		hash.update(line[-66:] + b"\n"); found.append(read(line[:-76] + b"}"))
-	sums, seal = {"count": len(told) - 1, "hash": hash.hexdigest()}, read(head).signed
-	no(end or head != plain({"head": sums, "signed": seal} if seal else {"head": sums}))
+	sums, seal = dict(count=len(told) - 1, hash=hash.hexdigest()), read(head).signed
+	no(end or head != plain(dict(head=sums, signed=seal) if seal else {"head": sums}))
 	return Map(found[0], head=plain(sums), signed=seal), found[1:]
 def here(s): return s.conf | {b: at for op in s.begun if op.done for b, at in op.new.items()}
 def holds(s, key, v, at, way=()):  # None: unknown, ...: on its way
@@ -74,10 +74,10 @@ def edge(s, a):  # what an operation changes
 	op = Map(b=b, was=at, to=(b, to), new={b: to}, t=s.t, a=a, note=note, level=level(s, a, text(b,
 		word)) or note.actor, needs=load or diff - {*s.subs} or not diff)
 	for key in diff & {*s.subs} if load else (): op.new = placed(s, key, op.new) | op.new
-	op.along = diff | {key for key in s.subs if key[0] in {*op.new} - {b}}
-	op.crossed = {key for key, x in s.subs.items() if x in op.new and (was.get(x) == s.ends[x]) !=
-		(op.new[x] == s.ends[x])}; return op
-def way(s): return {key for op in s.begun for key in op.crossed}
+	op.crossed = {k for k, x in s.subs.items() if [was[x], (was | op.new)[x]].count(s.ends[x]) == 1}
+	op.along = diff | {key for key in s.subs if key[0] in {*op.new} - {b}}; return op
+def due(of): return [op for op in of if op.needs and not op.how]
+def way(s): return {key for op in s.begun for key in op.crossed if due(s.begun)}
 def hazards(s): return {h for h in s.hazards if all(holds(s, *f, here(s)) for f in s.hazards[h])}
 def safe(s): no(hazards(s) - s.met)
 def ops(s, a): return [op for op in s.begun if op.a == a]
@@ -150,8 +150,8 @@ def on_operation_ended(s, e):  # once, and the one before was checked
 def on_committed(s, e):  # ended well, checked, as bases say
 	done = [s.begun.pop(s.begun.index(ops(s, a)[0])) for a in e.operations]
 	new = {b: at for op in done for b, at in op.new.items()}
-	no(not done or s.bad or s.last.t != s.t or e.configuration != new or any((op.code or op.answer) and
-		not op.how for op in done) or new.items() - s.checked.items()); no(broken(s, s.conf | new))
+	no(not done or s.bad or s.last.t != s.t or e.configuration != new or due(done) or new.items() -
+		s.checked.items() or broken(s, s.conf | new))
 	s.conf, s.moved, s.count = s.conf | new, {*s.moved, *new}, s.count + len(done); safe(s)
 	if not (s.begun or {*new} & {*s.based, *(b for b, _ in s.subs)}): s.free = s.moved = ()
 def on_operation_risky(s, e): no(s.last.reason != e.reason if s.again else not (s.bad and ops(s,

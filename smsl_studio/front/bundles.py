@@ -73,9 +73,10 @@ How things stand: here says where everything is, with what has been done and is 
 yet. holds says whether a fact has a value, terms asks all facts of a state: this is a state check.
 lit says whether a fact of a base is on, broken names the sub-SBs that disagree with a base, placed
 says where a sub-SB stands at a start. level says who acts. edge is an operation of the blueprint
-and what it changes: facts go along with it, and it crosses sub-SBs. way names the facts that an
-operation is changing just now, hazards those that are met, safe refuses one that nobody has told.
-ops names the operations of an address that have begun.
+and what it changes: facts go along with it, and it crosses sub-SBs. due names the
+operations whose function has not ended; while there are any, way names the facts that the step is
+changing just now. hazards names those that are met, safe refuses one that nobody has told. ops
+names the operations of an address that have begun.
 
 The story: tell tells a log again, story is one that has not begun. What a blueprint does that an
 operation runs, one level down, is a story of its own, told in the same way. take asks what each

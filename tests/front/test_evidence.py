@@ -94,6 +94,15 @@ def test_true_runs_of_every_end_are_believed(runs: list[ToldRun]) -> None:
     assert not any(doubted), "the plain judge believes them too"
 
 
+@pytest.mark.parametrize("number", [4259, 8984])
+def test_a_digit_is_read_again_where_its_crossing_commits(number: int, tmp_path: Path) -> None:
+    """An edge with ``load`` takes two levels along, and a fault keeps the lowest back."""
+    (run,) = told_runs(range(number, number + 1), tmp_path)
+    assert b'"result":"false"' in run.raw
+    assert verify_stream(io.BytesIO(run.raw), "log", run.blueprint).doubt is None
+    assert told_again(*run) == ""
+
+
 @pytest.mark.parametrize("forgery", FORGERIES, ids=lambda one: one.__name__)
 def test_a_forged_run_that_is_impossible_is_refused(forgery: Forgery, runs: list[ToldRun]) -> None:
     seen = Counter[str]()
