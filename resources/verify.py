@@ -136,7 +136,7 @@ def on_operation_started(s, e):  # where its SB is, if people let it
 	no(not s.free and (not on or s.paused or a in s.veto) or False in seen or None in seen and not rest
 		or s.acts and not s.again or any((o.how or o.b == op.b) and not o.done for o in rest))
 	safe(s); yes, go = (s.said.pop((kind, a), "  ")[1] for kind in ("confirm", "supervise"))
-	no(op.needs and bool(e.function) == (op.level == "human") or go != "go_on" and level(s,
+	no(bool(e.function) != bool(op.needs and op.level != "human") or go != "go_on" and level(s,
 		"supervision") == "human" and not (rest or s.free or op.b in s.based))
 	no(yes != "confirm" and (op.level == "shared" or op.note.confirm) or not all(key[0] in s.moved or
 		holds(s, key, v, now) for key, v in facts(op.note.requires).items()))

@@ -103,6 +103,15 @@ def test_a_digit_is_read_again_where_its_crossing_commits(number: int, tmp_path:
     assert told_again(*run) == ""
 
 
+def test_an_edge_that_follows_its_subs_calls_no_function(tmp_path: Path) -> None:
+    (run,) = told_runs(range(226, 227), tmp_path)
+    story = Story.of(run.raw)
+    assert told_again(*run) == ""
+    silent = [e for e in story.events if e["event"] == "operation_started" and not e["function"]]
+    silent[0]["function"] = "table.set_facts"
+    assert "operation_started" in told_again(story.raw(), run.blueprint)
+
+
 @pytest.mark.parametrize("forgery", FORGERIES, ids=lambda one: one.__name__)
 def test_a_forged_run_that_is_impossible_is_refused(forgery: Forgery, runs: list[ToldRun]) -> None:
     seen = Counter[str]()
