@@ -86,7 +86,7 @@ WORDS = """ask - end - give_back - pause - step - veto - accept given_back adopt
 	taken_over answer task_answered disturb disturbed inject fault_injected full_map - set_cost -
 	set_automatic -""".split(); EFFECTS = dict(zip(WORDS[::2], WORDS[1::2]))
 def take(s, e):  # 3 THE STORY: may this event come?
-	for k, v in e.items(): (k, v) == ("value", None) or fits(k, v)
+	for k, v in e.items(): (k, v, e.by) == ("value", None, {}) or fits(k, v)
 	e.a, kind, at, c = e.address, e.event, s.conf, s.cause; ours = c.effect.strip("?") == kind
 	waits = s.start or s.begun or s.tasks or s.latch or s.held or s.paused or s.hand or not s.began
 	no(s.over or not s.t <= e.t <= s.end or e.t > s.t and not (waits or {*s.goals.values()} &

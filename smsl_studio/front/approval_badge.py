@@ -21,10 +21,16 @@ LONGEST = 6
 
 NOBODY = "Nobody has signed this blueprint. It runs in simulation only."
 COMPUTED = "It was computed and not drawn: its field _origin says how."
-TO_SIGN = "To sign it: smsl-studio approve FILE --key ID. The page Approval of the help says how."
+TO_SIGN = (
+    "Sign it in Review, or in a terminal: smsl-studio approve FILE --key ID. The page Approval of "
+    "the help says how."
+)
 AGAIN = "Look at it again, then sign it again."
 ANOTHER = "Let another person look at it and sign."
-TO_MEET = "When a condition is met, sign that: approve FILE --key ID --met TEXT."
+TO_MEET = (
+    "When a condition is met, sign that in Review, or in a terminal: approve FILE --key ID --met "
+    "TEXT."
+)
 MEND = "Let the keeper of the policy mend it. Until then nothing runs under it."
 
 

@@ -48,4 +48,5 @@ class RunTrust:
         if self.refusals:
             words = "; ".join(one.sentence for one in self.refusals)
             advice = "smsl-studio verify tells what is missing."
-            raise RunRefused(f"it is not approved: {words}", advice=advice, refusals=self.refusals)
+            told = [(one.code, one.sentence) for one in self.refusals]
+            raise RunRefused(f"it is not approved: {words}", advice=advice, refusals=told)

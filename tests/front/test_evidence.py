@@ -237,6 +237,15 @@ def test_a_command_without_a_value_says_none(runs: list[ToldRun]) -> None:
     assert tried
 
 
+def test_a_command_has_a_text_for_its_value(runs: list[ToldRun]) -> None:
+    for story, run in ((Story.of(run.raw), run) for run in runs):
+        for at in story.at("commanded", command="resume")[:1]:
+            story.events[at]["value"] = None
+            assert "commanded" in told_again(story.raw(), run.blueprint)
+            return
+    raise AssertionError("no run has this command")
+
+
 def test_what_somebody_ends_is_over_at_that_time(runs: list[ToldRun]) -> None:
     """And nothing may go on later. An end in the last moment is possible."""
     tried = 0

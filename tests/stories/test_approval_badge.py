@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 import json
+import subprocess
+import sys
+import zipfile
 from pathlib import Path
 
 import pytest
@@ -31,6 +34,10 @@ def file(tmp_path: Path) -> Path:
 
 def approve(file: Path, **more: object) -> None:
     smsl.approve(smsl.ApprovalRequest(smsl.read(file), "ada", WORDS, **more))  # type: ignore[arg-type]
+
+
+def says_below(person: Person, words: str) -> None:
+    person.until(lambda: person.window.toast.words == words)
 
 
 def says(person: Person, words: str) -> None:
@@ -116,6 +123,31 @@ def test_a_policy_of_the_project_is_asked_by_the_badge_and_by_play(sit: Sit, fil
     assert b'"code":"too_few_persons"' in pane.run.record.read_bytes()
     person.window.actions_table["drop_policy"].trigger()
     says(person, "Approved by 1")
+
+
+def test_the_evidence_has_the_runs_of_what_is_saved_and_a_bare_python_checks_it(
+    sit: Sit, file: Path, tmp_path: Path
+) -> None:
+    approve(file)
+    person = sit(file)
+    person.window.actions_table["run_play"].trigger()
+    run = person.window.features.run.pane.run
+    person.until(lambda: run.status is not None and not run.exists)
+    approval = person.window.features.approval
+    approval.ask_bundle = lambda suggested: suggested.with_name("evidence.zip")
+    person.window.actions_table["export_evidence"].trigger()
+    says_below(person, "evidence.zip has the evidence, with 1 recorded run")
+    folder = tmp_path / "bare"
+    with zipfile.ZipFile(file.with_name("evidence.zip")) as found:
+        found.extractall(folder)
+    checked = subprocess.run(
+        [sys.executable, "verify.py"], cwd=folder, capture_output=True, text=True, check=False
+    )
+    assert (checked.returncode, checked.stderr) == (0, ""), checked.stdout
+    gone = (Address("DOOR", "State_1", "close"),)
+    person.window.session.edit("Delete close", lambda blueprint: delete(blueprint, gone))
+    person.window.actions_table["export_evidence"].trigger()
+    says_below(person, "Save the blueprint first. The evidence is about what is saved")
 
 
 def test_what_changed_since_the_last_signature_is_shown_on_the_drawing(

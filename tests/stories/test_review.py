@@ -17,6 +17,7 @@ from smsl_studio.front.key_ring import make_key
 from smsl_studio.front.reviews import keep_answers, review_of
 from smsl_studio.front.verdicts import verify_approval
 from smsl_studio.inspection.review.entry import COMMENT
+from smsl_studio.studio.features.people.persons_dialog import PersonsDialog
 from smsl_studio.studio.features.review.comment_dialog import CommentDialog
 from smsl_studio.studio.features.review.comment_view import CommentView
 from smsl_studio.studio.features.review.feature import ReviewFeature
@@ -107,11 +108,19 @@ class Reader:
             self.person.press(Qt.Key.Key_Down)
         raise AssertionError(heading)
 
-    def sign(self) -> None:
+    def sign(self, conditions: str = "", met: str = "") -> None:
         self.person.click(self.page.side.sign)
         dialog = self.feature.signing
         assert dialog is not None
         self.person.qtbot.waitUntil(dialog.isVisible)
+        for line in conditions.splitlines():
+            QTest.keyClicks(dialog.conditions, line)
+            QTest.keyClick(dialog.conditions, Qt.Key.Key_Return)
+        assert not conditions or "if the conditions are met" in dialog.meaning.text()
+        for box in dialog.met if met else ():
+            assert box.text() == f"Met: {met}"
+            QTest.keyClick(box, Qt.Key.Key_Space)
+            assert box.isChecked()
         QTest.keyClicks(dialog.passphrase, PASSPHRASE.decode())
         QTest.keyClick(dialog.passphrase, Qt.Key.Key_Return)
         self.person.qtbot.waitUntil(lambda: not dialog.isVisible(), timeout=120_000)
@@ -291,6 +300,57 @@ def test_answers_of_another_computer_are_added(sit: Sit, tmp_path: Path) -> None
     other.feature.add_from(f"{theirs}.review.json")
     assert "1 answer added" in other.person.window.toast.words
     assert [one.kind for one in review_of(str(mine)).entries] == [COMMENT]
+
+
+def test_a_condition_is_set_with_the_signature_and_met_with_the_next_one(
+    sit: Sit, tmp_path: Path
+) -> None:
+    file = door_at(tmp_path)
+    make_key(SURGEON.name, SURGEON.role, PASSPHRASE)
+    reader = sit_as(sit, SURGEON, file)
+    reader.enter()
+    reader.answer_all()
+    reader.sign(conditions="the hinge is oiled\n\n world = table \n")
+    told = verify_approval(read(str(file)))
+    assert (told.verdict, len(told.refusals)) == ("conditions", 2)
+    badge = reader.person.window.features.approval.badge
+    reader.person.until(lambda: badge.text() == "Approved with conditions")
+    reader.sign(met="the hinge is oiled")
+    (still,) = verify_approval(read(str(file))).refusals
+    assert "world = table" in still.sentence, "only a run can tell that"
+    assert verify_approval(read(str(file)), world="table").signers[0].said.met == [
+        "the hinge is oiled"
+    ]
+
+
+def test_the_keys_go_to_the_line_again_after_the_persons_were_chosen(
+    sit: Sit, tmp_path: Path
+) -> None:
+    reader = sit_as(sit, SURGEON, door_at(tmp_path))
+    reader.enter()
+    reader.person.click(reader.page.bar.change)
+    dialog = reader.person.window.findChild(PersonsDialog)
+    assert dialog is not None
+    reader.person.qtbot.waitUntil(dialog.isVisible)
+    dialog.accept()
+    reader.person.come_back()
+    reader.person.press(Qt.Key.Key_Y)
+    line = reader.page.line
+    assert line is not None
+    assert line.is_answered
+
+
+def test_a_rejection_has_no_conditions(sit: Sit, tmp_path: Path) -> None:
+    file = door_at(tmp_path)
+    make_key(SURGEON.name, SURGEON.role, PASSPHRASE)
+    reader = sit_as(sit, SURGEON, file)
+    reader.enter()
+    reader.feature.sign(rejects=True)
+    dialog = reader.feature.signing
+    assert dialog is not None
+    reader.person.qtbot.waitUntil(dialog.isVisible)
+    assert not dialog.conditions.isVisible()
+    dialog.reject()
 
 
 def test_a_wrong_passphrase_signs_nothing(sit: Sit, tmp_path: Path) -> None:

@@ -181,7 +181,7 @@ def _open_conditions(
         if condition is None:
             if not any(_closes(other, one, text) for other in signers):
                 words = f"nobody of the role {one.role} has signed that it is met: {text}"
-                yield Refusal("condition_unmet", words)
+                yield Refusal("condition_unmet", words, text)
             continue
         answer = condition.is_met(case.asking)
         if answer:

@@ -36,10 +36,14 @@ CODES = (
 
 
 class Refusal(NamedTuple):
-    """One reason why a run may not start: a code of ``CODES``, and a sentence for people."""
+    """One reason why a run may not start: a code of ``CODES``, and a sentence for people.
+
+    ``condition`` is the text of a condition that a person may sign as met, else empty.
+    """
 
     code: str
     sentence: str
+    condition: str = ""
 
     def as_json(self) -> dict[str, str]:
         """Return the refusal in the form that ``verify`` and runs write."""

@@ -8,7 +8,9 @@ from pathlib import Path
 
 from PySide6.QtCore import QTimer
 
+from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.blueprint.project import project_of
+from smsl_studio.errors import StudioError
 from smsl_studio.front.approval_badge import (
     LOOKING,
     ApprovalWords,
@@ -19,8 +21,9 @@ from smsl_studio.front.former_record import approval_stamps, has_record_beside, 
 from smsl_studio.studio.base.actions import Action
 from smsl_studio.studio.base.beside import Beside
 from smsl_studio.studio.base.feature import Feature
-from smsl_studio.studio.base.file_dialogs import ask_to_open
+from smsl_studio.studio.base.file_dialogs import ask_to_open, ask_to_save
 from smsl_studio.studio.base.theme import Tokens
+from smsl_studio.studio.base.words import counted, refusal_words
 from smsl_studio.studio.features.approval.badge import ApprovalBadge
 from smsl_studio.studio.features.approval.reason_card import ReasonCard
 from smsl_studio.studio.features.approval.store_watch import StoreWatch
@@ -30,6 +33,7 @@ IDLE = 400
 """The record is verified after this time without an edit (milliseconds)."""
 WATCH = 2000
 """The time between two looks at the files of the approval (milliseconds)."""
+BUNDLES = "Evidence (*.zip)"
 POLICIES = "Trust policies (*.toml);;All files (*)"
 
 SIGNATURES = "Signatures"
@@ -55,7 +59,10 @@ class ApprovalFeature(Feature):
         """Hears what the badge says, whenever it says something else."""
         self.ask_file: Callable[[Path], Path | None] = self._asked
         self.store = StoreWatch(parts.window)
+        self.ask_bundle: Callable[[Path], Path | None] = self._asked_bundle
         self._beside = Beside(parts.window)
+        self._export = Beside(parts.window)
+        """Not dropped at the next edit, other than ``_beside``."""
         self._later = QTimer(parts.window)
         self._later.setSingleShot(True)
         self._later.setInterval(IDLE)
@@ -87,6 +94,10 @@ class ApprovalFeature(Feature):
             Action("choose_policy", "Choose a trust policy…", self.choose_policy, "Blueprint", "",
                    (), section=4, inner=SIGNATURES,
                    tip="Which signatures a run of this project needs"),
+            Action("export_evidence", "Export evidence…", self.export, "Blueprint", "", (),
+                   lambda: bool(self._session.blueprint.file), section=4, inner=SIGNATURES,
+                   tip="Write the blueprint, its record, its recorded runs and a program that "
+                       "checks them into one file"),
             Action("drop_policy", "Use no trust policy", self.drop_policy, "Blueprint", "", (),
                    lambda: self.policy is not None, section=4, inner=SIGNATURES,
                    tip="Let runs of this project start without signatures, in simulation"),
@@ -113,6 +124,19 @@ class ApprovalFeature(Feature):
             self._toast.say(f"Runs of this project need the signatures that {chosen.name} asks for")
             self._wait()
 
+    def export(self) -> None:
+        """Ask for a file, and write the evidence there: what was signed, and the runs of it."""
+        if self._files.unsaved:
+            self._toast.say("Save the blueprint first. The evidence is about what is saved")
+            return
+        blueprint = self._session.blueprint
+        chosen = self.ask_bundle(Path(blueprint.file).with_suffix(".zip"))
+        if chosen is not None:
+            folder = self._settings.recordings
+            self._toast.say("The evidence is put together")
+            work = partial(_exported, blueprint, chosen, folder, self.policy)
+            self._export.do(work, self._toast.say)
+
     def drop_policy(self) -> None:
         """Let runs of the project start without signatures."""
         self._settings.choose_policy(project_of(self._session.blueprint.file), None)
@@ -129,6 +153,7 @@ class ApprovalFeature(Feature):
         self.store.stop()
         self._later.stop()
         self._beside.stop()
+        self._export.stop()
 
     def _may_be_signed(self) -> bool:
         return may_have_record(self._session.blueprint.file)
@@ -136,6 +161,12 @@ class ApprovalFeature(Feature):
     def _asked(self, folder: Path) -> Path | None:
         name = ask_to_open(self._window, "Choose a trust policy", str(folder), POLICIES)
         return Path(name) if name else None
+
+    def _asked_bundle(self, suggested: Path) -> Path | None:
+        name, _ = ask_to_save(self._window, "Export evidence", str(suggested), BUNDLES)
+        if not name:
+            return None
+        return Path(name) if Path(name).suffix else Path(f"{name}.zip")
 
     def _wait(self) -> None:
         """Verify the record again once the person has made no edit for ``IDLE`` milliseconds.
@@ -168,3 +199,17 @@ class ApprovalFeature(Feature):
     def _show(self, said: ApprovalWords) -> None:
         self.badge.show_words(said)
         self.told(said)
+
+
+def _exported(blueprint: Blueprint, chosen: Path, recordings: Path, policy: Path | None) -> str:
+    """Write the bundle with the recorded runs of the blueprint; return what is told about it."""
+    from smsl_studio.front.bundles import bundle
+    from smsl_studio.front.evidence_runs import runs_of
+
+    try:
+        runs = runs_of(blueprint, recordings)
+        bundle(blueprint, chosen, logs=runs, policy=policy)
+    except StudioError as error:
+        return refusal_words(error)
+    many = counted(len(runs), "recorded run", "recorded runs")
+    return f"{chosen.name} has the evidence, with {many}"

@@ -31,8 +31,9 @@ class AnswerField(QWidget):
         self.keep.setProperty("role", "primary")
         self.keep.setEnabled(False)
         self.cancel = QPushButton("Cancel")
-        # Shortened where it has no room, so that it never makes the line wider than the page.
-        hint = Elided("Ctrl+Enter keeps it")
+        # Shortened where it has no room, so that it never makes the line wider than the page. The
+        # words are short enough for the lowest window.
+        hint = Elided("Ctrl+Enter")
         hint.setProperty("role", "readSmall")
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 4, 0, 0)

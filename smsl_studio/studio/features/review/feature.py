@@ -185,7 +185,8 @@ class ReviewFeature(Feature):
             return
         person = self.review.author.person
         blueprint = self._parts.session.blueprint
-        self.signing = SignDialog(blueprint, person, rejects, self._parts.window)
+        conditions = [one.condition for one in self._approval.refusals if one.condition]
+        self.signing = SignDialog(blueprint, person, self._parts.window, rejects, conditions)
         self.signing.signed.connect(lambda _: self._signed())
         self.signing.open()
 
@@ -252,7 +253,7 @@ class ReviewFeature(Feature):
         page.sign_wanted.connect(self.sign)
         page.watch_wanted.connect(self.watch)
         page.print_wanted.connect(self.print)
-        page.bar.person_wanted.connect(lambda: self.change_person())
+        page.bar.person_wanted.connect(self._change_person)
         page.blocked = self._blocked
         page.show_approval(self._approval)
         return page
@@ -299,6 +300,11 @@ class ReviewFeature(Feature):
         self._parts.toast.say("Signed. The record stands beside the file")
         self.signed()
         self.review.read_again()
+
+    def _change_person(self) -> None:
+        """Ask who reads. Afterwards the keys go to the line again, not to the button."""
+        self.page.take_hand()
+        self.change_person()
 
     def _refuse(self, error: StudioError) -> None:
         self._parts.toast.refuse(error)

@@ -181,7 +181,7 @@ class ReviewPage(QWidget):
         self.drawer.close_drawer()
         self.refresh()
         self.reading.verticalScrollBar().setValue(0)
-        self._take_hand()
+        self.take_hand()
 
     def show_line(self, key: str) -> None:
         """Show a line, in whatever part it is."""
@@ -388,7 +388,8 @@ class ReviewPage(QWidget):
         if place < len(keys):
             self.show_section(keys[place])
 
-    def _take_hand(self) -> None:
+    def take_hand(self) -> None:
+        """Let the chosen line have the keys."""
         if self.reading.at:
             self.reading.take(self.reading.at, focus=True)
 

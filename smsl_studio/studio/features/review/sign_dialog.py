@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 from functools import partial
 
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import (
+    QCheckBox,
     QDialog,
     QDialogButtonBox,
     QLineEdit,
@@ -20,7 +22,7 @@ from smsl_studio.errors import StudioError
 from smsl_studio.front.signatures import ApprovalRequest, SignedApproval, approve, open_warnings
 from smsl_studio.inspection.approval.key_store import StoredKey, stored_keys
 from smsl_studio.inspection.approval.known_keys import name_of
-from smsl_studio.inspection.approval.statement import APPROVED, MEANINGS, REJECTED
+from smsl_studio.inspection.approval.statement import APPROVED, CONDITIONS, MEANINGS, REJECTED
 from smsl_studio.inspection.review.review_file import LONGEST
 from smsl_studio.legible import plain_text
 from smsl_studio.studio.base.beside import Beside
@@ -35,6 +37,11 @@ WARNS = "The check warns. Write why this may stay, and type the passphrase again
 MOST = 6
 """At most so many lines of a refusal are shown."""
 BUSY = "The whole check runs, and then it is signed."
+KINDS = (
+    "It must be met before a run starts. Somebody of your role signs later that it is met.\n"
+    "Asked by the program when a run starts: world = NAME, supervisor present,\n"
+    "sensor SB/DIGIT at N Hz, until DATE."
+)
 
 
 class SignDialog(QDialog):
@@ -44,7 +51,15 @@ class SignDialog(QDialog):
     signed = Signal(object)
     """SignedApproval: the record was written."""
 
-    def __init__(self, blueprint: Blueprint, person: str, rejects: bool, parent: QWidget) -> None:
+    def __init__(
+        self,
+        blueprint: Blueprint,
+        person: str,
+        parent: QWidget,
+        rejects: bool = False,
+        open_conditions: Sequence[str] = (),
+    ) -> None:
+        """``open_conditions`` are those of the last records that a person may sign as met."""
         super().__init__(parent)
         self._blueprint, self._rejects = blueprint, rejects
         self._beside = Beside(self)
@@ -58,13 +73,13 @@ class SignDialog(QDialog):
         self.passphrase.setEchoMode(QLineEdit.EchoMode.Password)
         self.passphrase.setAccessibleName("Passphrase")
         self.passphrase.setPlaceholderText("Passphrase of the key")
-        self.note = QPlainTextEdit()
-        self.note.setProperty("role", "field")
-        self.note.setAccessibleName("Why the warnings may stay")
-        self.note.setPlaceholderText("Why the warnings may stay")
-        self.note.setTabChangesFocus(True)
-        self.note.setFixedHeight(72)
+        self.note = _field("Why the warnings may stay", 72)
         self.note.hide()
+        self.met = [_met(text) for text in (() if rejects else open_conditions)]
+        self.conditions = _field("Conditions, one a line; empty if there are none", 52)
+        self.conditions.setToolTip(KINDS)
+        self.conditions.setVisible(not rejects)
+        self.conditions.textChanged.connect(self._show_meaning)
         self.refusal = label("", "refusal")
         self.meaning = label(MEANINGS[REJECTED if rejects else APPROVED], "")
         self.meaning.setWordWrap(True)
@@ -79,7 +94,7 @@ class SignDialog(QDialog):
         column.setSpacing(10)
         words = label("Key", "second"), label("Passphrase", "second")
         parts: tuple[QWidget, ...] = (self.meaning, words[0], self.key, words[1], self.passphrase)
-        for part in (*parts, self.refusal, self.note, self.buttons):
+        for part in (*parts, *self.met, self.conditions, self.refusal, self.note, self.buttons):
             column.addWidget(part)
         if not self.key.count():
             self.refusal.setText(NO_KEY)
@@ -94,12 +109,27 @@ class SignDialog(QDialog):
         self._beside.stop()
         super().done(result)
 
+    @property
+    def _written(self) -> tuple[str, ...]:
+        """The conditions that are written; none for a rejection."""
+        lines = () if self._rejects else self.conditions.toPlainText().splitlines()
+        return tuple(dict.fromkeys(line.strip() for line in lines if line.strip()))
+
+    @property
+    def _verdict(self) -> str:
+        return REJECTED if self._rejects else CONDITIONS if self._written else APPROVED
+
+    def _show_meaning(self) -> None:
+        self.meaning.setText(MEANINGS[self._verdict])
+
     def _sign(self) -> None:
         request = ApprovalRequest(
             self._blueprint,
             self.key.currentData(),
             self.passphrase.text().encode(),
-            verdict=REJECTED if self._rejects else APPROVED,
+            verdict=self._verdict,
+            conditions=self._written,
+            met=tuple(one.property("condition") for one in self.met if one.isChecked()),
         )
         self.passphrase.clear()
         self._show_busy(True)
@@ -129,8 +159,25 @@ class SignDialog(QDialog):
 
     def _show_busy(self, busy: bool) -> None:
         self.refusal.setText(BUSY if busy else "")
-        for part in (self.key, self.passphrase, self.sign):
+        for part in (self.key, self.passphrase, self.conditions, *self.met, self.sign):
             part.setEnabled(not busy)
+
+
+def _field(name: str, height: int) -> QPlainTextEdit:
+    field = QPlainTextEdit()
+    field.setProperty("role", "field")
+    field.setAccessibleName(name)
+    field.setPlaceholderText(name)
+    field.setTabChangesFocus(True)
+    field.setFixedHeight(height)
+    return field
+
+
+def _met(condition: str) -> QCheckBox:
+    """A box that says that a condition is met. It keeps the exact text, which is what is signed."""
+    box = QCheckBox(f"Met: {plain_text(condition)}")
+    box.setProperty("condition", condition)
+    return box
 
 
 def _signed(request: ApprovalRequest, note: str) -> SignedApproval | StudioError:
