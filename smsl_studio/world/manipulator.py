@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy as np
 
+from smsl_studio.errors import WorldError
 from smsl_studio.world.bodies import UPRIGHT, Robot
 from smsl_studio.world.kinematics import Arm
 from smsl_studio.world.protocol import Quaternion, Vector
@@ -41,6 +42,11 @@ class Manipulator(RobotMotors):
         self._links = {info[12].decode(): index for index, info in enumerate(infos)}
         self._arm = [joints[name] for name in arm.names]
         self._forces = [infos[index][10] for index in self._arm]
+        for name in robot.fingers:
+            if name not in joints:
+                known = ", ".join(map(repr, joints))
+                words = f"the robot {robot.name!r} has no joint {name!r} for a finger"
+                raise WorldError(words, advice=f"Its joints are {known}.")
         self._fingers = [joints[name] for name in robot.fingers]
         for index in self._fingers:
             engine.changeDynamics(self.body, index, lateralFriction=robot.friction)

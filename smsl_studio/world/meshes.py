@@ -1,5 +1,5 @@
-"""Triangle meshes: reads OBJ files, turns outlines into solids, and thins meshes. It needs neither
-an engine nor Qt.
+"""Triangle meshes: reads OBJ and STL files, turns outlines into solids, and thins meshes. It needs
+neither an engine nor Qt.
 
 A mesh is an array (n, 3, 3) of float32 in metres: n triangles with 3 corners each,
 counter-clockwise when seen from outside.
@@ -16,15 +16,57 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
+from smsl_studio.errors import WorldError
 from smsl_studio.world.protocol import Vector
 
 Mesh = NDArray[np.float32]
 PLAIN: Vector = (0.93, 0.93, 0.94)
+MESHES = "A robot is drawn from meshes in OBJ or STL files, which its URDF file names."
 
 
 def soup(mesh: Mesh) -> tuple[float, ...]:
     """Return a mesh as the flat tuple of floats (m) of a ``Shape``, rounded to 0.001 mm."""
     return tuple(np.round(mesh.astype(np.float64), 6).ravel().tolist())
+
+
+def scaled(mesh: Mesh, scale: Vector) -> Mesh:
+    """Return a mesh with each axis multiplied by a number."""
+    if scale == (1.0, 1.0, 1.0):
+        return mesh
+    return mesh * np.array(scale, dtype=np.float32)
+
+
+@lru_cache(maxsize=64)
+def read_mesh(path: Path, limit: int = 3500) -> tuple[tuple[Vector, Mesh], ...]:
+    """Read the meshes of an OBJ or STL file, one for each colour, with about ``limit`` triangles
+    together.
+
+    WorldError with the name of the file if it is neither, or has no triangles.
+    """
+    try:
+        if path.suffix.lower() == ".stl":
+            found: tuple[tuple[Vector, Mesh], ...] = ((PLAIN, thinned(_stl(path), limit)),)
+        else:
+            found = read_obj(path, limit)
+    except (OSError, ValueError, IndexError) as error:
+        reason = getattr(error, "strerror", None) or "it is no OBJ or STL file"
+        raise WorldError(f"the mesh {path.name} cannot be read: {reason}", advice=MESHES) from None
+    if not any(len(mesh) for _, mesh in found):
+        raise WorldError(f"the mesh {path.name} has no triangles", advice=MESHES)
+    return found
+
+
+_FACET = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("_", "<u2")])
+
+
+def _stl(path: Path) -> Mesh:
+    """Read an STL file, in its binary form or as text."""
+    raw = path.read_bytes()
+    if len(raw) >= 84 and len(raw) == 84 + _FACET.itemsize * int.from_bytes(raw[80:84], "little"):
+        return np.frombuffer(raw, _FACET, offset=84)["corners"].astype(np.float32)
+    lines = (line.split() for line in raw.splitlines())
+    corners = [line[1:4] for line in lines if line[:1] == [b"vertex"]]
+    return np.array(corners, dtype=np.float32).reshape(-1, 3, 3)
 
 
 @lru_cache(maxsize=64)

@@ -9,7 +9,7 @@ from collections.abc import Generator, Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from smsl_studio.world.paths import minimum_jerk, rounded, timetable, waypoints
 
@@ -34,9 +34,9 @@ which the joints are computed, for a robot of the size 1."""
 
 
 def travel(
-    world: BulletWorld, corners: Sequence[Array], speed: float, rotation: Array = DOWN
+    world: BulletWorld, corners: Sequence[ArrayLike], speed: float, rotation: Array = DOWN
 ) -> Motion:
-    """Move the tool smoothly from its commanded position through the corners (m).
+    """Move the tool smoothly from its commanded position through the corners (x, y, z in m).
 
     ``speed`` is the greatest speed (m/s) of a robot of the size 1; a smaller robot is slower.
     ``rotation`` (3, 3) is that of the tool on the whole way.
@@ -44,7 +44,7 @@ def travel(
     """
     yield from turn(world, rotation)
     start, size = world.robot.goal, world.robot.size
-    path = rounded([world.arm.tool(start)[0], *corners], CORNER * size)
+    path = rounded([world.arm.tool(start)[0], *map(np.asarray, corners)], CORNER * size)
     points, ways = waypoints(path, SPACING * size)
     if ways[-1] < 1e-6:
         return

@@ -8,7 +8,7 @@ from pathlib import Path
 from smsl_studio.world.bodies import Body, Robot
 from smsl_studio.world.kinematics import rotation_of_rpy
 from smsl_studio.world.links import description, link_shapes
-from smsl_studio.world.meshes import moved, read_obj, soup
+from smsl_studio.world.meshes import moved, read_mesh, scaled, soup
 from smsl_studio.world.protocol import Shape
 
 
@@ -27,8 +27,8 @@ def drawn(plan: Iterable[Body | Robot], models: Path) -> Iterator[tuple[str, Sha
 def _links(robot: Robot, models: Path) -> Iterator[tuple[str, Shape]]:
     for visual in description(robot, models).visuals:
         rotation = rotation_of_rpy(visual.rpy)
-        for colour, mesh in read_obj(visual.mesh):
-            placed = moved(mesh, rotation, visual.xyz)
+        for colour, mesh in read_mesh(visual.mesh):
+            placed = moved(scaled(mesh, visual.scale), rotation, visual.xyz)
             yield visual.link, Shape(visual.link, soup(placed), colour)
     yield from link_shapes(robot)
     if robot.mesh:

@@ -34,12 +34,13 @@ class Joint:
 @dataclass(frozen=True, slots=True)
 class Visual:
     """One mesh of a link, with its pose in the link's frame (metres; roll, pitch, yaw in
-    radians)."""
+    radians). ``scale`` multiplies the numbers of the mesh file."""
 
     link: str
     mesh: Path
     xyz: Vector
     rpy: Vector
+    scale: Vector = (1.0, 1.0, 1.0)
 
 
 @dataclass(frozen=True, slots=True)
@@ -106,8 +107,9 @@ def _joint(element: ET.Element) -> Joint:
 def _visual(link: str, element: ET.Element, folder: Path) -> Visual:
     mesh = element.find("geometry/mesh")
     name = mesh.get("filename", "") if mesh is not None else ""
+    scale = mesh.get("scale", "1 1 1") if mesh is not None else "1 1 1"
     xyz, rpy = _origin(element)
-    return Visual(link, folder / name.removeprefix("package://"), xyz, rpy)
+    return Visual(link, folder / name.removeprefix("package://"), xyz, rpy, _vector(scale))
 
 
 def _origin(element: ET.Element) -> tuple[Vector, Vector]:

@@ -14,7 +14,7 @@ from smsl_studio.library.arm_table import arm_named, arm_names
 from smsl_studio.world.bodies import Jaw, Robot
 from smsl_studio.world.bullet import BulletWorld
 from smsl_studio.world.kinematics import rotation_of
-from smsl_studio.world.motions import DOWN
+from smsl_studio.world.motions import DOWN, tool, travel
 
 ARMS = [arm_named(name) for name in arm_names()]
 by_name = pytest.mark.parametrize("arm", ARMS, ids=arm_names())
@@ -71,6 +71,21 @@ def test_the_fingers_open_and_close_as_far_as_is_said(arm: Robot) -> None:
             world.step()
         told = world.robot.status()["gripper"]
         assert told == f"{2000 * opening:.0f} mm, {arm.force:.0f} N"
+    world.close()
+
+
+def test_a_finger_that_is_no_joint_is_refused_with_the_joints_that_are() -> None:
+    wrong = replace(arm_named("panda"), fingers=("left_finger", "right_finger"))
+    with pytest.raises(WorldError, match="no joint 'left_finger'") as refused:
+        standing(wrong)
+    assert "'panda_finger_joint1'" in refused.value.advice
+
+
+def test_corners_of_a_way_may_be_plain_tuples() -> None:
+    world = standing(arm_named("panda"))
+    for _ in travel(world, [(0.45, 0.0, 0.3), (0.45, 0.1, 0.3)], 0.4):
+        world.step()
+    assert tool(world) == pytest.approx((0.45, 0.1, 0.3), abs=0.01)
     world.close()
 
 

@@ -3,14 +3,26 @@
 from __future__ import annotations
 
 import math
+import struct
 from pathlib import Path
 
 import numpy as np
 import pytest
 
 from plugins.hanoi.disks import HOLE, MARGIN, disks_for, peg_body
+from smsl_studio.errors import WorldError
 from smsl_studio.world.bodies import Body, Hulls
-from smsl_studio.world.meshes import Mesh, moved, read_obj, soup, thinned, turned
+from smsl_studio.world.meshes import (
+    PLAIN,
+    Mesh,
+    moved,
+    read_mesh,
+    read_obj,
+    scaled,
+    soup,
+    thinned,
+    turned,
+)
 from smsl_studio.world.planned_world import MODELS
 
 
@@ -81,6 +93,44 @@ def test_faces_of_many_corners_and_counted_from_the_end(tmp_path: Path) -> None:
     ((_, mesh),) = read_obj(file)
     assert mesh.tolist()[0] == mesh.tolist()[2]
     assert len(mesh) == 3
+
+
+TRIANGLE = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 2.0, 0.0]]
+
+
+def test_stl_files_are_read_in_both_forms_and_scaled(tmp_path: Path) -> None:
+    text, binary = tmp_path / "text.stl", tmp_path / "binary.STL"
+    rows = "".join("vertex {} {} {}\n".format(*corner) for corner in TRIANGLE)
+    text.write_text(f"solid x\nfacet normal 0 0 1\nouter loop\n{rows}endloop\nendfacet\nendsolid\n")
+    corners = struct.pack("<9f", *np.ravel(TRIANGLE))
+    binary.write_bytes(
+        b"solid, all the same".ljust(80) + struct.pack("<I3f", 1, 0, 0, 1) + corners + b"\0\0"
+    )
+    for file in (text, binary):
+        ((colour, mesh),) = read_mesh(file)
+        assert (colour, mesh.tolist()) == (PLAIN, [TRIANGLE])
+    assert scaled(mesh, (2.0, 0.5, 1.0)).tolist() == [[[0, 0, 0], [2, 0, 0], [0, 1, 0]]]
+
+
+@pytest.mark.parametrize(
+    ("name", "raw", "why"),
+    [
+        ("a.obj", b"PK\x03\x04", "it is no OBJ or STL file"),
+        ("a.obj", b"v 0 0 0\n", "has no triangles"),
+        ("a.stl", b"", "has no triangles"),
+        ("a.stl", b"vertex 1 2\n", "it is no OBJ or STL file"),
+        ("a.obj", b"v 0 0 0\nf 7 8 9\n", "it is no OBJ or STL file"),
+        ("a.obj", b"v x y z\nf 1 1 1\n", "it is no OBJ or STL file"),
+    ],
+)
+def test_a_mesh_that_cannot_be_read_is_named(
+    name: str, raw: bytes, why: str, tmp_path: Path
+) -> None:
+    (tmp_path / name).write_bytes(raw)
+    with pytest.raises(WorldError, match=f"{name}.*{why}"):
+        read_mesh(tmp_path / name)
+    with pytest.raises(WorldError, match=r"gone\.obj cannot be read: No such file"):
+        read_mesh(tmp_path / "gone.obj")
 
 
 def test_moved_and_flattened() -> None:
