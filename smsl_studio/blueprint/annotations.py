@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, TypeVar
 
 from annotated_types import Ge, Gt, Le, Lt, MaxLen
 
-from smsl_studio.blueprint.continuum import LEVELS
+from smsl_studio.blueprint.continuum import levels_of
 from smsl_studio.blueprint.edge_layout import FAR
 
 if TYPE_CHECKING:
@@ -104,6 +104,8 @@ class OperationNote(_Note):
     risk: Literal["low", "medium", "high"] | None = None
     actor: Literal["human", "shared", "robot"] | None = None
     confirm: tuple[str, ...] = ()
+    forecast: Literal["show", "ask", "hold"] | None = None
+    """The least level of its forecast (see ``continuum.FORECAST_LEVELS``)."""
     duration: Annotated[float, Ge(0)] | None = None
     timeout: Annotated[float, Gt(0)] | None = None
     stop: Literal["abort", "hold", "finish"] | None = None
@@ -180,10 +182,11 @@ def read_levels(raw: Json) -> tuple[dict[str, str], tuple[tuple[tuple[str, ...],
         return {}, ()
     if not isinstance(raw, dict):
         return {}, ((("_levels",), "_levels must be a map"),)
-    found = {key: value for key, value in raw.items() if value in LEVELS}
+    found = {key: value for key, value in raw.items() if value in levels_of(key)}
     odd = (key for key in raw if key not in found)
-    words = ", ".join(LEVELS)
-    return found, tuple((("_levels", key), f"a level is one of {words}") for key in odd)
+    return found, tuple(
+        (("_levels", key), f"a level is one of {', '.join(levels_of(key))}") for key in odd
+    )
 
 
 def validated(

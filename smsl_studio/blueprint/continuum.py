@@ -10,9 +10,18 @@ from types import MappingProxyType
 
 HUMAN, SHARED, AUTOMATIC = LEVELS = ("human", "shared", "automatic")
 INSPECTION, SUPERVISION = "inspection", "supervision"
+FORECAST = "forecast"
+SHOW, ASK, HOLD = FORECAST_LEVELS = ("show", "ask", "hold")
+"""What a forecast that differs does, the most careful last: it is told alone, a person is asked, or
+the run holds. These are the levels of the key ``forecast``."""
 
 DEFAULTS: Mapping[str, str] = MappingProxyType({INSPECTION: AUTOMATIC, SUPERVISION: SHARED})
 """The levels if none are declared: rules alone inspect, and a person may intervene at any tick."""
 
 OF_ACTOR = {"human": HUMAN, "shared": SHARED}
 NOTHING: Mapping[str, str] = MappingProxyType({})
+
+
+def levels_of(key: str) -> tuple[str, ...]:
+    """Return the levels that a key of ``_levels`` may have."""
+    return FORECAST_LEVELS if key == FORECAST else LEVELS

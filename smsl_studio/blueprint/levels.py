@@ -16,12 +16,15 @@ from smsl_studio.blueprint.address import Address, fact_text, note_key, split_fa
 from smsl_studio.blueprint.continuum import (
     AUTOMATIC,
     DEFAULTS,
+    FORECAST,
+    FORECAST_LEVELS,
     HUMAN,
     INSPECTION,
     LEVELS,
     NOTHING,
     OF_ACTOR,
     SUPERVISION,
+    levels_of,
 )
 from smsl_studio.errors import UsageError, did_you_mean
 
@@ -32,8 +35,9 @@ if TYPE_CHECKING:
 class Levels:
     """The level of each element of a blueprint, computed when it is asked for.
 
-    Keys are ``inspection``, ``supervision``, ``SB/digit`` (a fact), ``SB/State/Operation``, or
-    ``SB/Operation`` for every edge of that name; the level of a single edge counts first.
+    Keys are ``inspection``, ``supervision``, ``forecast``, ``SB/digit`` (a fact),
+    ``SB/State/Operation``, or ``SB/Operation`` for every edge of that name; the level of a single
+    edge counts first.
     ``before`` has the levels that are set before a run. They count before ``_levels`` of the files,
     and these before the annotations. UsageError if ``before`` has an unknown key or level.
     """
@@ -55,6 +59,28 @@ class Levels:
     def supervision(self) -> str:
         """Who supervises a run: ``human``, ``shared`` or ``automatic``."""
         return self._of(SUPERVISION) or DEFAULTS[SUPERVISION]
+
+    def forecast(self, edge: Address) -> str:
+        """Return the level of the forecast of an edge (see ``continuum.FORECAST_LEVELS``), empty
+        for none. Of the levels of the whole and that of the operation the most careful one counts,
+        so that no level that is set before a run takes away what the blueprint demands.
+        """
+        branch = self._blueprint[edge.branch]
+        own = None
+        if "_operations" in branch.fields:
+            own = branch.operation_note(edge.state, edge.operation).forecast
+        return careful(own or "", *(said.get(FORECAST, "") for said in self._said))
+
+    @property
+    def forecasts(self) -> bool:
+        """Whether any operation has a level of forecasts."""
+        notes = (
+            note
+            for branch in self._blueprint
+            if "_operations" in branch.fields
+            for note in branch.notes.operations.values()
+        )
+        return any(FORECAST in said for said in self._said) or any(note.forecast for note in notes)
 
     def operation(self, edge: Address) -> str:
         """Return the level of an edge. ``human``: a person carries it out. ``shared``: a person
@@ -100,6 +126,11 @@ class Levels:
         declared one.
         """
         return next((said[key] for said in self._said for key in keys if key in said), "")
+
+
+def careful(*levels: str) -> str:
+    """Return the most careful of some levels of forecasts. Empty is none."""
+    return max(levels, key=("", *FORECAST_LEVELS).index, default="")
 
 
 @dataclass(frozen=True, slots=True)
@@ -184,20 +215,21 @@ class LevelFault(NamedTuple):
 
 def fault_of(blueprint: Blueprint, key: str, level: object) -> LevelFault | None:
     """Return why a key cannot have this level, or None if it can."""
-    if level not in LEVELS:
-        choice = f"Choose one of {', '.join(LEVELS)}."
+    known = levels_of(key)
+    if level not in known:
+        choice = f"Choose one of {', '.join(known)}."
         said = str(level) if isinstance(level, str) else ""
         return LevelFault(
-            f"{level!r} is no level of {key}", lambda: did_you_mean(said, LEVELS) or choice
+            f"{level!r} is no level of {key}", lambda: did_you_mean(said, known) or choice
         )
-    if key in DEFAULTS:
+    if key in DEFAULTS or key == FORECAST:
         return None
     parts = Address.split(key)
     branch = blueprint.branches.get(parts[0])
     if len(parts) == 1 or branch is None:
         return LevelFault(
             f"{key!r} has no level: it is no operation and no fact",
-            lambda: did_you_mean(parts[0], (*DEFAULTS, *blueprint.branches)),
+            lambda: did_you_mean(parts[0], (*DEFAULTS, FORECAST, *blueprint.branches)),
         )
     digit = digit_of(branch, parts[1]) if len(parts) == 2 else None
     if digit is not None:

@@ -20,7 +20,7 @@ from smsl_studio.blueprint.annotations import (
     ProcedureBinding,
     StateNote,
 )
-from smsl_studio.blueprint.continuum import LEVELS
+from smsl_studio.blueprint.continuum import FORECAST_LEVELS, LEVELS
 from smsl_studio.blueprint.edge_layout import IN_LAYOUT, MOST_BENDS
 from smsl_studio.blueprint.pins import PINNED
 from smsl_studio.smsl.document.limits import MAX_NAME
@@ -68,6 +68,8 @@ WORDS: dict[str, dict[str, str]] = {
         "risk": "How risky it is.",
         "actor": "Who carries it out.",
         "confirm": "Who must confirm it first.",
+        "forecast": "What its forecast does if it differs: it is shown, a person is asked, or the "
+        "run holds.",
         "duration": "How many seconds it takes.",
         "timeout": "Seconds after which it counts as failed.",
         "stop": "What a pause does to it: abort, hold or finish. A stop always cancels it.",
@@ -267,9 +269,11 @@ def schema() -> Json:
             },
             "_levels": {
                 "type": "object",
+                "properties": {"forecast": {"enum": list(FORECAST_LEVELS)}},
                 "additionalProperties": {"enum": list(LEVELS)},
                 "description": "Who does, senses, inspects and supervises: by inspection, "
-                "supervision, SB/digit, SB/Operation or SB/State/Operation.",
+                "supervision, SB/digit, SB/Operation or SB/State/Operation. And the level of "
+                "forecasts.",
             },
         },
         "patternProperties": {"^_": True},

@@ -67,9 +67,11 @@ class Forecast:
 
 def terms_of(start: Mapping[str, str], seed: int) -> RunTerms:
     """Return the terms of a run that only carries out what it is asked for. Hazards do not guard
-    it, because they are to be seen.
+    it, because they are to be seen, and nobody confirms what is only foreseen.
     """
-    return RunTerms(start, seed=seed, automatic=False, attended=True, guarded=False)
+    return RunTerms(
+        start, seed=seed, automatic=False, attended=True, guarded=False, unconfirmed=True
+    )
 
 
 def carried(hierarchy: Hierarchy, host: Host, dispatcher: Dispatcher, edge: Address) -> Forecast:

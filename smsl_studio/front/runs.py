@@ -164,7 +164,7 @@ def open_request(
         approved=trust is not None,
         hardware=trust is not None and (trust.hardware or _may_be_hardware(checked)),
         met=trust.met if trust is not None else (),
-        foresight=_foresight(checked, loaded),
+        foresight=_foresight(checked, loaded, chosen),
     )
     supervisor = checked.supervisor
     if checked.agents and isinstance(supervisor, Agents):
@@ -183,8 +183,8 @@ def _may_be_hardware(request: RunRequest) -> bool:
     return request.world == REMOTE and request.trust is not None and not request.trust.barred
 
 
-def _foresight(request: RunRequest, loaded: Loaded | None) -> Foresight | None:
-    if not request.forecast:
+def _foresight(request: RunRequest, loaded: Loaded | None, levels: Levels) -> Foresight | None:
+    if not (request.forecast or levels.forecasts):
         return None
     from smsl_studio.front.twin import foresight_of
 

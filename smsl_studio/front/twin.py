@@ -15,9 +15,10 @@ from dataclasses import replace
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.configuration import Hierarchy
+from smsl_studio.blueprint.continuum import FORECAST_LEVELS
 from smsl_studio.blueprint.levels import Levels
 from smsl_studio.dispatch.dispatcher import Dispatcher
-from smsl_studio.dispatch.drive.foresight import ASKS, LEVELS, Foresight
+from smsl_studio.dispatch.drive.foresight import ASKS, Foresight
 from smsl_studio.errors import HostError, StudioError, UsageError, WorldError, did_you_mean
 from smsl_studio.front.forecasts import Forecast, carried, terms_of
 from smsl_studio.front.hosts import known_world, make_host
@@ -48,6 +49,8 @@ class Twin:
         self._hierarchy = Hierarchy(request.blueprint)
         self._loaded = loaded
         self._host: Host | None = None
+        self._there: Dispatcher | None = None
+        """The run in which the last forecast ended, None if it does not go on from there."""
         self._lost = 0
         self._why = ""
 
@@ -65,13 +68,30 @@ class Twin:
             self.close()
             raise
 
+    def onward(self, edge: Address) -> Prediction | None:
+        """Carry out an operation from where the last forecast ended. None if it is not at its
+        source there: it was part of the step before, or the forecast has ended.
+        """
+        there = self._there
+        if there is None or there.standing.configuration.get(edge.branch) != edge.state:
+            return None
+        try:
+            return self._carried(there, edge)
+        except StudioError as error:
+            self.close()
+            return Prediction(NONE, reason=error.sentence)
+        except BaseException:
+            self.close()
+            raise
+
     def close(self) -> None:
         """Free the world. A second call does nothing; a later forecast builds it again."""
-        host, self._host = self._host, None
+        host, self._host, self._there = self._host, None, None
         if host is not None:
             host.close()
 
     def _tried(self, configuration: Mapping[str, str], edge: Address) -> Prediction:
+        self._there = None
         if self._host is None:
             self._refuse_what_is_real()
             self._host = make_host(self._request, self._loaded)
@@ -84,12 +104,20 @@ class Twin:
             _yield_to_others(self._host)
         if dispatcher.finished:
             return Prediction(NONE, reason=dispatcher.standing.sentence)
+        return self._carried(dispatcher, edge)
+
+    def _carried(self, dispatcher: Dispatcher, edge: Address) -> Prediction:
+        assert self._host is not None, "the world of the dispatcher is open"
+        self._there = None
         found = carried(self._hierarchy, self._host, dispatcher, edge)
         if dispatcher.finished:
             raise HostError(dispatcher.standing.sentence)
         if dispatcher.phase == "waiting":
             return ASKS
-        return _compared(found)
+        told = _compared(found)
+        if told.verdict == AGREES:
+            self._there = dispatcher
+        return told
 
     def _refuse_what_is_real(self) -> None:
         """Raise WorldError for a world that cannot be there twice: a forecast would move it."""
@@ -114,23 +142,27 @@ def _yield_to_others(host: Host) -> None:
 
 
 def foresight_of(request: RunRequest, loaded: Loaded | None) -> Foresight:
-    """Return the forecasts of a run. UsageError for an unknown level."""
-    if request.forecast not in LEVELS:
-        near = did_you_mean(request.forecast, LEVELS) or f"There are {', '.join(LEVELS)}."
+    """Return the forecasts of a run. UsageError for an unknown level. The empty level leaves it to
+    the blueprint."""
+    if request.forecast not in ("", *FORECAST_LEVELS):
+        near = did_you_mean(request.forecast, FORECAST_LEVELS)
+        near = near or f"There are {', '.join(FORECAST_LEVELS)}."
         raise UsageError(f"there is no level of forecasts {request.forecast!r}", advice=near)
     return Foresight(Twin(request, loaded), request.forecast)
 
 
 def _compared(found: Forecast) -> Prediction:
     """Return a forecast as supervisors see it, with what differs in words."""
+    apart = tuple(key for key, value in found.declared.items() if found.after.get(key) != value)
     words = [
-        f"{key} will be {found.after[key] or 'unknown'}, not {value or 'unknown'}"
-        for key, value in found.declared.items()
-        if found.after.get(key) != value
+        f"{key} will be {found.after[key] or 'unknown'}, not {found.declared[key] or 'unknown'}"
+        for key in apart
     ]
     if found.sentence:
         words.append(found.sentence)
     if found.hazard:
         words.append(f"the hazard {found.hazard} will be met")
     good = found.agrees and not found.hazard
-    return Prediction(AGREES if good else DIFFERS, found.after, "" if good else "; ".join(words))
+    if good:
+        return Prediction(AGREES, found.after)
+    return Prediction(DIFFERS, found.after, "; ".join(words), apart=apart)

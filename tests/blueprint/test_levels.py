@@ -218,3 +218,26 @@ def test_a_change_of_a_level_is_told_by_what_it_is_of() -> None:
     ]
     renamed = edit.rename(before, Address("A"), "Z")
     assert [change.what for change in compare(before, renamed).changes] == ["branch"]
+
+
+def test_the_most_careful_level_of_forecasts_counts() -> None:
+    file = {**FILE, "A": {**FILE["A"], "_operations": {"push": {"forecast": "ask"}}}}
+    none, own = Levels(made()), Levels(made(None, file))
+    assert (none.forecasts, none.forecast(PUSH)) == (False, "")
+    assert (own.forecasts, own.forecast(PUSH), own.forecast(GO)) == (True, "ask", "")
+    whole = Levels(made({"forecast": "show"}, file))
+    assert (whole.forecast(PUSH), whole.forecast(GO)) == ("ask", "show")
+    before = Levels(made({"forecast": "hold"}, file), {"forecast": "show"})
+    assert (before.forecast(PUSH), before.forecast(GO)) == ("hold", "hold")
+
+
+def test_a_level_of_forecasts_is_another_kind_of_word() -> None:
+    assert not of({"forecast": "human"}).forecasts
+    with pytest.raises(UsageError, match="'human' is no level of forecast") as refused:
+        of(None, {"forecast": "human"})
+    assert refused.value.advice == "Choose one of show, ask, hold."
+    with pytest.raises(UsageError, match="'ask' is no level of A/go"):
+        of(None, {"A/go": "ask"})
+    edited = edit.set_levels(made(), {"forecast": "ask"})
+    assert Levels(edited).forecast(GO) == "ask"
+    assert Levels(edit.rename(edited, GO, "walk")).forecast(PUSH) == "ask"

@@ -14,8 +14,7 @@ from smsl_studio import front
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.dispatch.dispatcher import Dispatcher
-from smsl_studio.dispatch.drive.foresight import Foresight
-from smsl_studio.errors import UsageError
+from smsl_studio.errors import RunRefused, UsageError
 from smsl_studio.front.inputs import read
 from smsl_studio.front.logs import verify_stream
 from smsl_studio.front.request import RunRequest
@@ -23,6 +22,7 @@ from smsl_studio.front.runs import Run, open_request
 from smsl_studio.front.script.lines import read_script
 from smsl_studio.front.script.script import Script
 from smsl_studio.front.twin import Twin
+from smsl_studio.generate.code.blueprint_parts import refuse_what_is_not_generated
 from smsl_studio.library.loading import discover
 from smsl_studio.runlog.events import (
     Commanded,
@@ -33,6 +33,7 @@ from smsl_studio.runlog.events import (
     OperationRefused,
     OperationStarted,
     RiskEstimated,
+    TaskOpened,
 )
 from smsl_studio.runlog.regulation import COMPARISONS, FORECASTS
 from smsl_studio.shipped import samples_dir
@@ -296,7 +297,7 @@ def test_a_stop_in_the_middle_of_a_forecast_is_heeded() -> None:
         assert len(of(done, OperationStarted)) <= len(made(done)), last
 
 
-def test_a_level_that_only_shows_allows_everything() -> None:
+def test_a_forecast_made_twice_is_the_same() -> None:
     twin = Twin(RunRequest(read(SAMPLE), host="local"))
     try:
         edge = Address("SB1", "State_aa", "Op_1b")
@@ -305,7 +306,75 @@ def test_a_level_that_only_shows_allows_everything() -> None:
     finally:
         twin.close()
     assert found == again
-    assert Foresight(twin, "show").verdict(found).decision == "allow"
+    assert found.verdict == "agrees"
+
+
+def leveled(
+    operation: str, notes: dict[str, Any], levels: dict[str, str] | None = None
+) -> Blueprint:
+    """The small blueprint with annotations for one operation, and with levels."""
+    branch = {**TABLE["SB"], "_operations": {operation: notes}}
+    return blueprint_of({**({"_levels": levels} if levels else {}), "SB": branch})
+
+
+def run_odd(folder: Path, blueprint: Blueprint, operation: str, **more: Any) -> Run:
+    """Run it in the odd world, by one operation."""
+    if not (folder / "odd").exists():
+        write_plugin(folder, "odd", ODD)
+    left = tuple(f"SB/State_a/{name}" for name in ROW if name != operation)
+    return front.run(blueprint, "odd", avoid=left, plugin_paths=(folder / "odd",), **more)
+
+
+@pytest.mark.parametrize("by", ["operation", "levels", "before"])
+def test_a_blueprint_gives_its_operations_a_level(by: str, tmp_path: Path) -> None:
+    notes = {"forecast": "hold"} if by == "operation" else {"title": "Stray"}
+    blueprint = leveled("Stray", notes, {"forecast": "hold"} if by == "levels" else None)
+    before = {"forecast": "hold"} if by == "before" else {}
+    held = run_odd(tmp_path, blueprint, "Stray", levels=before)
+    assert (held.reason, of(held, OperationStarted)) == ("held", [])
+    assert [one.verdict for one in made(held)] == ["differs"]
+    shown = run_odd(tmp_path, blueprint, "Stray", levels=before, forecast="show")
+    assert shown.reason == "held", "no level of a run takes away what is demanded"
+    done = run_odd(tmp_path, blueprint, "Go", levels=before)
+    assert (done.reason, len(made(done))) == ("goal_reached", 0 if by == "operation" else 1)
+
+
+def test_what_a_person_confirms_is_forecast_before_the_person_is_asked(tmp_path: Path) -> None:
+    blueprint = leveled("Go", {"confirm": ["surgeon"], "forecast": "ask"})
+    act = {"do": "answer", "kind": "confirm", "option": "confirm", "role": "surgeon"}
+    script = script_of(tmp_path, act, blueprint)
+    done = run_odd(tmp_path, blueprint, "Go", script=script)
+    assert done.reason == "goal_reached"
+    kinds = (ForecastTold, TaskOpened, OperationStarted, ForecastTold)
+    told = [event for event in done.events if isinstance(event, kinds)]
+    assert [type(event) for event in told] == [*kinds]
+    assert [one.verdict for one in of(done, ForecastTold)] == ["agrees", "right"]
+    alone = front.preview(blueprint, "SB/State_a/Go")
+    assert alone.agrees, alone.sentence
+
+
+def test_code_is_not_generated_for_what_asks_for_forecasts() -> None:
+    refuse_what_is_not_generated(leveled("Go", {"title": "Go"}))
+    with pytest.raises(RunRefused, match="asks for forecasts"):
+        refuse_what_is_not_generated(leveled("Go", {"forecast": "show"}))
+
+
+def test_a_twin_goes_on_along_the_route_until_it_differs() -> None:
+    twin = Twin(RunRequest(read(SAMPLE), host="local"))
+    route = [Address("SB1", state, name) for state, name in (
+        ("State_aa", "Op_1b"), ("State_ba", "Op_2c"), ("State_bc", "Op_1c"),
+    )]  # fmt: skip
+    try:
+        assert twin.onward(route[1]) is None, "nothing was forecast yet"
+        assert twin.predict({"SB1": "State_aa"}, route[0]).verdict == "agrees"
+        assert twin.onward(route[2]) is None, "it does not stand there"
+        found = [twin.onward(edge) for edge in route[1:]]
+        assert [one and one.after for one in found] == [
+            {"SB1/0": "b", "SB1/1": "c"},
+            {"SB1/0": "c", "SB1/1": "c"},
+        ]
+    finally:
+        twin.close()
 
 
 HARDWARE = """

@@ -124,7 +124,9 @@ class Admission:
 
         ``fresh`` says that the guards were checked at this moment.
         """
-        questions = confirmations(self._run, step) if self._run.people_act else ()
+        run = self._run
+        asks = run.people_act and not run.unconfirmed
+        questions = confirmations(run, step) if asks else ()
         if questions:
             return self._consented(step, chosen, questions)
         if not fresh:

@@ -11,18 +11,15 @@ from typing import Protocol
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.check import Scene
+from smsl_studio.blueprint.continuum import FORECAST, SHOW
 from smsl_studio.blueprint.joint import JointStep
-from smsl_studio.dispatch.drive.supervisor import ALLOW, ASK, HOLD, Verdict
+from smsl_studio.blueprint.levels import careful
+from smsl_studio.dispatch.drive.supervisor import ALLOW, Verdict
 from smsl_studio.dispatch.execution.run import LiveRun
 from smsl_studio.library.prediction import AGREES, NONE, Prediction
 from smsl_studio.runlog.events import ForecastTold
 from smsl_studio.runlog.regulation import RIGHT, UNKNOWN, WRONG
 
-SHOW = "show"
-LEVELS = (SHOW, ASK, HOLD)
-"""What a forecast that differs does: it is told alone, a person is asked, or the run holds."""
-FORECAST = "forecast"
-"""The name under which it stands in the record."""
 NO_FACTS: Mapping[str, str] = MappingProxyType({})
 BY_PERSON = Prediction(NONE, reason="a person carries it out", by_people=True)
 ASKS = Prediction(NONE, reason="a person has to answer before it goes on", by_people=True)
@@ -41,15 +38,26 @@ class Simulator(Protocol):
 
 
 class Foresight:
-    """Asks a simulator before each step, at one of the ``LEVELS``."""
+    """Asks a simulator before each step that has a level (see ``continuum.FORECAST_LEVELS``).
 
-    def __init__(self, simulator: Simulator, level: str) -> None:
+    ``level`` is that of the whole run, empty for none. The levels of the blueprint may be higher.
+    """
+
+    def __init__(self, simulator: Simulator, level: str = "") -> None:
         self._simulator, self._level = simulator, level
         self._made: tuple[Address, Prediction] | None = None
 
-    def look(self, run: LiveRun, step: JointStep) -> Prediction:
-        """Tell the forecast of a step, and return it."""
+    def level(self, run: LiveRun, step: JointStep) -> str:
+        """Return the most careful level of the edges of a step, empty if none has one."""
+        own = (run.levels.forecast(edge.address) for edge in step.edges)
+        return careful(self._level, *own)
+
+    def look(self, run: LiveRun, step: JointStep) -> Prediction | None:
+        """Tell the forecast of a step, and return it. None for a step without a level."""
         edge = step.asked.address
+        if not self.level(run, step):
+            self._made = None
+            return None
         if any(run.by_person(one) for one in step.edges):
             found = BY_PERSON
         else:
@@ -64,12 +72,13 @@ class Foresight:
         _tell(run, edge, found.verdict, found.reason, facts)
         return found
 
-    def verdict(self, found: Prediction) -> Verdict:
-        """Return what the level says about a forecast."""
-        if self._level == SHOW or found.verdict == AGREES or found.by_people:
+    def verdict(self, run: LiveRun, step: JointStep, found: Prediction | None) -> Verdict:
+        """Return what the level of a step says about its forecast."""
+        level = self.level(run, step)
+        if found is None or level == SHOW or found.verdict == AGREES or found.by_people:
             return Verdict(ALLOW)
         words = "no forecast" if found.verdict == NONE else "the forecast differs"
-        return Verdict(self._level, f"{words}: {found.reason}", by=FORECAST)
+        return Verdict(level, f"{words}: {found.reason}", by=FORECAST)
 
     def compare(self, run: LiveRun, step: JointStep) -> None:
         """Tell whether the forecast of a step that has ended was right.

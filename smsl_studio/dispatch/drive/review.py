@@ -102,7 +102,7 @@ class Reviewer:
         forecast, supervisor = None, self._supervisor
         if self._foresight is not None:
             forecast = self._foresight.look(run, step)
-            first = self._foresight.verdict(forecast)
+            first = self._foresight.verdict(run, step, forecast)
             if supervisor is None:
                 return first
         else:

@@ -48,6 +48,7 @@ def begin_run(
     run.guard_against(hazards)
     run.left_out = tuple(terms.left_out)
     run.approved, run.met, run.robot = terms.approved, tuple(terms.met), terms.robot
+    run.unconfirmed = terms.unconfirmed
     return run, ordered
 
 

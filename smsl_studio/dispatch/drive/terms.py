@@ -26,7 +26,8 @@ class RunTerms:
     ``approved`` says that a policy or a record guards the run and is met, and ``hardware`` that the
     approval is one for a world that is hardware. ``met`` are the typed conditions that are met.
     ``robot`` is the robot that was asked for, for the record. ``foresight`` looks at each step in a
-    simulated world before it begins.
+    simulated world before it begins. Where ``unconfirmed``, nobody is asked to confirm an
+    operation: a forecast of it comes before people are asked.
     """
 
     start: Mapping[str, str] = field(default_factory=dict)
@@ -45,6 +46,7 @@ class RunTerms:
     met: Sequence[str] = ()
     robot: str = ""
     foresight: Foresight | None = None
+    unconfirmed: bool = False
 
     @property
     def adopts(self) -> bool:

@@ -44,7 +44,8 @@ class LiveRun:
     results of edges, for cost functions. ``hazards`` are those that guard the run, and
     ``told_hazards`` the names of those that are met and were told. ``left_out`` are annotations
     that cannot be read, as addresses with sentences. ``approved`` says that a policy guards the
-    run and is met, ``met`` which typed conditions are met. ``robot`` was asked for.
+    run and is met, ``met`` which typed conditions are met. ``robot`` was asked for. In an
+    ``unconfirmed`` run nobody is asked to confirm operations, because it only foresees them.
     """
 
     def __init__(
@@ -82,6 +83,7 @@ class LiveRun:
         self.approved = False
         self.met: tuple[str, ...] = ()
         self.robot = ""
+        self.unconfirmed = False
         self.since = dict.fromkeys(start, self.senses.time)
         self.previous: dict[str, Address] = {}
         self.history: list[Happened] = []

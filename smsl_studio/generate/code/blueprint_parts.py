@@ -14,6 +14,7 @@ from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.configuration import Hierarchy
 from smsl_studio.blueprint.digests import Digests, digests
 from smsl_studio.blueprint.hazards import GuardHazard, guard_hazards
+from smsl_studio.blueprint.levels import Levels
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.blueprint.procedures import procedures_of
 from smsl_studio.errors import RunRefused
@@ -71,6 +72,12 @@ def refuse_what_is_not_generated(blueprint: Blueprint) -> None:
             f"{edge} runs a blueprint of its own, and code for that is not generated",
             blueprint.place(edge),
             "Generate code for that blueprint by itself, or bind the operation to a function.",
+        )
+    if Levels(blueprint).forecasts:
+        # A package has no second world, and a guard must not be left out in silence.
+        raise RunRefused(
+            "the blueprint asks for forecasts, and code for those is not generated",
+            advice="Take forecast out of _levels and _operations of a copy.",
         )
 
 

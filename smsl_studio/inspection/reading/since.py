@@ -45,6 +45,7 @@ _FIELDS = {
     "risk": "its risk",
     "actor": "who carries it out",
     "confirm": "who must agree",
+    "forecast": "what a forecast of it does that differs",
     "duration": "how long it takes",
     "timeout": "its time limit",
     "stop": "what a pause does to it",

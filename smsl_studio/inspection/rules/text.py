@@ -117,7 +117,7 @@ def is_told_as_predicate(path: tuple[str, ...], reason: str, branch: StateBranch
     return sense is not None and any(fault.path[0] == key for fault in sense.faults)
 
 
-SAFEGUARDS = ("confirm", "requires", "timeout", "answer_within")
+SAFEGUARDS = ("confirm", "forecast", "requires", "timeout", "answer_within")
 
 
 def _is_safeguard(path: tuple[str, ...], reason: str) -> bool:
