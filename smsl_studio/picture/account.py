@@ -19,6 +19,7 @@ from smsl_studio.picture.words import FAMILY, MONO_FAMILY
 from smsl_studio.runlog.causes import Causes
 from smsl_studio.runlog.changes import moment_after
 from smsl_studio.runlog.command_word import CommandWords
+from smsl_studio.runlog.decisions import deciders
 from smsl_studio.runlog.events import Event, RoutePlanned
 from smsl_studio.runlog.grammar.log_reader import LoggedRun
 from smsl_studio.runlog.moment import RunMoment
@@ -92,6 +93,7 @@ def _page(run: LoggedRun, commands: CommandWords) -> Iterator[str]:
     yield from _pairs("Versions", _named(run.header.get("versions")))
     names = HeaderNames.of_header(run.header.get("names"))
     yield from _routes(run.events, names)
+    yield from _decisions(run)
     yield from _events(run.events, end, names, commands)
     yield "<footer>Made by SMSL Studio from the run's log. Not a medical device.</footer>"
     yield "</main></body></html>"
@@ -143,6 +145,22 @@ def _routes(events: tuple[Event, ...], names: HeaderNames) -> Iterator[str]:
         yield "</ol>"
     if not left:
         yield "<p>Further routes are left out here; the log has them.</p>"
+
+
+def _decisions(run: LoggedRun) -> Iterator[str]:
+    """Yield the table of who decided what. Nothing if nobody decided anything."""
+    supervisor = run.header.get("supervisor")
+    found = deciders(run.events, supervisor if isinstance(supervisor, str) else "")
+    if not found:
+        return
+    yield "<h2>Who decided</h2><table><thead><tr><th>Who</th><th>Decisions</th>"
+    yield "<th>After a question or a hold</th><th>Against an agent</th></tr></thead><tbody>"
+    for one in found[:MOST]:
+        who = f"{one.name}, automatic" if one.automatic else one.name
+        against = "" if one.automatic else str(one.against)
+        cells = "".join(f"<td>{markup(text)}</td>" for text in (one.decided, one.waited, against))
+        yield f"<tr><td>{markup(who)}</td>{cells}</tr>"
+    yield "</tbody></table>" + vanished(len(found) - MOST, "name")
 
 
 def _events(

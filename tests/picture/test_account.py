@@ -52,13 +52,14 @@ def account_of(run: LoggedRun) -> str:
 
 
 class Page(HTMLParser):
-    """What a browser sees: text by the tag it stands in, and every row of the table."""
+    """What a browser sees: text by the tag it stands in, and every row of its tables. The last
+    table has the events."""
 
     def __init__(self, text: str) -> None:
         super().__init__()
         self.open: list[str] = []
         self.texts: list[tuple[str, str]] = []
-        self.rows: list[list[str]] = []
+        self.tables: list[list[list[str]]] = []
         self.odd: list[object] = []
         self.feed(text)
         self.close()
@@ -70,10 +71,16 @@ class Page(HTMLParser):
         if tag not in SHUT:
             self.open.append(tag)
             self.odd += [(tag, name) for name, _ in attrs if name not in ("class", "lang")]
+        if tag == "table":
+            self.tables.append([])
         if tag == "tr":
             self.rows.append([])
         if tag == "td":
             self.rows[-1].append("")
+
+    @property
+    def rows(self) -> list[list[str]]:
+        return self.tables[-1]
 
     def handle_endtag(self, tag: str) -> None:
         assert self.open.pop() == tag
@@ -224,7 +231,9 @@ def test_what_people_said_and_did_is_told_as_theirs_and_in_words() -> None:
         FactChanged(t=3.0, branch="H", digit=0, value="0"),
     )  # fmt: skip
     names = {"facts": {"H/0": "Head fixed"}, "values": {"H/0/1": "fixed", "H/0/0": "free"}}
-    rows = Page(account_of(logged(*given, header={"names": names}))).rows[1:]
+    seen = Page(account_of(logged(*given, header={"names": names})))
+    assert seen.tables[0][1:] == [["N. Kaya", "1 done, 1 fact told", "0.9 s, at most 1.0 s", "0"]]
+    rows = seen.rows[1:]
     assert [row[3] for row in rows] == [
         "nobody", "dispatcher", "N. Kaya", "N. Kaya", "dispatcher", "N. Kaya", "N. Kaya", "sensors",
     ]  # fmt: skip

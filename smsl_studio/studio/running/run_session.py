@@ -29,6 +29,7 @@ from smsl_studio.host.remote import WithRemote
 from smsl_studio.host.spare import Spare
 from smsl_studio.library.loaded import Loaded
 from smsl_studio.monitor.reception import RemoteView
+from smsl_studio.runlog.decisions import DecidedBy, deciders, told_by
 from smsl_studio.runlog.events import Event
 from smsl_studio.runlog.history import Story
 from smsl_studio.runlog.playback import RunObserver
@@ -78,6 +79,7 @@ class RunSession(QObject, Commands):
         self.blueprint: Blueprint | None = None
         self.status: DispatchStatus | None = None
         self._told = RunObserver()
+        self._decisions: list[Event] = []
         self.shapes: tuple[Shape, ...] = ()
         self.sensors: tuple[SensorInfo, ...] = ()
         self.faults: tuple[str, ...] = ()
@@ -187,6 +189,13 @@ class RunSession(QObject, Commands):
         return (self._asked, self._loaded) if self._asked is not None and self._exists else None
 
     @property
+    def deciders(self) -> tuple[DecidedBy, ...]:
+        """Who decided what so far, from the events of the run."""
+        asked = self._asked
+        agents = " and ".join(asked.agents) if asked is not None else ""
+        return deciders(self._decisions, agents)
+
+    @property
     def lines(self) -> tuple[Mapping[str, Any], ...]:
         """The same as the values of its lines."""
         return self._runner.lines if self._runner is not None else ()
@@ -224,7 +233,7 @@ class RunSession(QObject, Commands):
         self.close()
         self.blueprint, self.choice, self.foreign = blueprint, choice, False
         self.status, self.shapes, self.sensors = None, (), ()
-        self._told = RunObserver()
+        self._told, self._decisions = RunObserver(), []
         request = self._asked = choice.request(blueprint)
         self._loaded = loaded
         opening = RunOpener(request, loaded, self.recordings, self.who(), self.spare)
@@ -344,6 +353,7 @@ class RunSession(QObject, Commands):
         self.status = status
         if events:
             self._told.tell(events)
+            self._decisions += told_by(events)
             self.events_told.emit(events)
         if self.story.moment.finished is not None:
             self._clock.stop()

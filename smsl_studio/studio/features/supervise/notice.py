@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from pathlib import Path
 
 from PySide6.QtCore import Qt, Signal
@@ -10,10 +11,13 @@ from PySide6.QtWidgets import QPushButton, QVBoxLayout, QWidget
 
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.front.views.phase_words import phase_words
+from smsl_studio.legible import one_line, plain_text
 from smsl_studio.studio.base.controls import label
 from smsl_studio.studio.base.words import capital
 from smsl_studio.studio.running.run_session import RunSession
 
+MOST = 6
+"""The largest number of lines about who decided."""
 ROOMY, LOW = (32, 24, 32, 72), (32, 4, 32, 4)
 """The margins, and those where the explanation would be cut otherwise (pixels)."""
 
@@ -28,6 +32,7 @@ class Notice(QWidget):
         self.setProperty("role", "ground")
         self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
         self._title, self._why = label("", "title"), label("", "second")
+        self._deciders = label("", "small")
         self.begin = QPushButton("Run   F5")
         self.begin.setProperty("role", "primary")
         self.begin.setFixedWidth(140)
@@ -37,7 +42,7 @@ class Notice(QWidget):
         column.setContentsMargins(*ROOMY)
         column.setSpacing(10)
         column.addStretch(1)
-        for part in (self._title, self._why):
+        for part in (self._title, self._why, self._deciders):
             part.setAlignment(Qt.AlignmentFlag.AlignCenter)
             part.setWordWrap(True)
             column.addWidget(part)
@@ -65,7 +70,8 @@ class Notice(QWidget):
         if not self.isVisible():
             return
         side, above, _, below = ROOMY
-        text = sum(p.heightForWidth(self.width() - 2 * side) for p in (self._title, self._why))
+        parts = [self._title, self._why, *[self._deciders] * bool(self._deciders.text())]
+        text = sum(part.heightForWidth(self.width() - 2 * side) for part in parts)
         need = text + self.begin.sizeHint().height() + 4 * self._column.spacing()
         roomy = self.height() >= need + above + below
         self._column.setContentsMargins(*(ROOMY if roomy else LOW))
@@ -75,6 +81,11 @@ class Notice(QWidget):
     def words(self) -> str:
         """The shown title and explanation."""
         return f"{self._title.text()} {self._why.text()}"
+
+    @property
+    def decided(self) -> str:
+        """Who decided what in the run that has ended, a line for each; empty if nobody did."""
+        return self._deciders.text()
 
     def say(self, why: str) -> None:
         """Show why a run could not begin."""
@@ -102,5 +113,19 @@ class Notice(QWidget):
                 or "F5 starts one, in the world that is chosen in Run mode. Its current state and "
                 "the operations out of it are shown here."
             )
+        self._deciders.setText(plain_text("\n".join(map(one_line, _decided(run)))))
+        self._deciders.setVisible(bool(self._deciders.text()))
         self.begin.setVisible(not run.exists)
         self._fit()
+
+
+def _decided(run: RunSession) -> Iterator[str]:
+    """Yield who decided what in the last run, the first ``MOST``."""
+    found = run.deciders if run.over else ()
+    for one in found[:MOST]:
+        waited = f"; after {one.waited}" if one.waited else ""
+        against = f"; against an agent {one.against} times" if one.against else ""
+        who = f"{one.name}, automatic" if one.automatic else one.name
+        yield f"{who}: {one.decided}{waited}{against}"
+    if len(found) > MOST:
+        yield f"and {len(found) - MOST} more, which the account of the run has"
