@@ -8,7 +8,11 @@ import pytest
 from PySide6.QtCore import Qt
 
 from smsl_studio.blueprint.address import Address
+from smsl_studio.front import hosts, twin
+from smsl_studio.front.request import RunRequest
 from smsl_studio.front.twin import Twin
+from smsl_studio.host.protocol import Host
+from smsl_studio.library.loaded import Loaded
 from smsl_studio.library.prediction import DIFFERS, NONE, Prediction
 from smsl_studio.studio.features.supervise.forecast_strip import ForecastStrip
 from tests.stories.at_supervise import AtSupervise
@@ -50,7 +54,8 @@ def test_the_operation_at_hand_has_a_forecast_and_another_one_when_it_is_chosen(
 def test_what_differs_and_what_has_no_forecast_is_said(
     sit: Sit, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    told = Prediction(DIFFERS, {"SB1/1": "x"}, "SB1/1 will be x, not c")
+    reason = "SB1/1 will be x, not c"
+    told = Prediction(DIFFERS, {"SB1/1": "x"}, reason, apart=("SB1/1",))
     asked: list[str] = []
 
     def predict(_twin: Twin, _configuration: Mapping[str, str], edge: Address) -> Prediction:
@@ -60,21 +65,52 @@ def test_what_differs_and_what_has_no_forecast_is_said(
     monkeypatch.setattr(Twin, "predict", predict)
     at = AtSupervise(sit(HANOI))
     at.start_paused()
-    strip = said(at, "Forecast of Op_2c: differs. SB1/1 will be x, not c")
+    strip = said(at, f"Forecast of Op_2c: differs. Fact 2 will be x\n{reason}")
+    card = at.pane.board.cards[at.number("Op_2c") - Key.Key_1]
+    assert card.accessibleName().endswith("forecast differs: Fact 2 will be x")
+    assert "Forecast differs: Fact 2 will be x" in card.toolTip()
     told = Prediction(NONE, reason="a person carries it out")
     at.person.click(strip.anew)
     said(at, "No forecast of Op_2c: a person carries it out")
     assert asked == ["Op_2c", "Op_2c"]
 
 
-def test_the_forecast_and_its_world_are_given_up_where_nobody_sees_them(sit: Sit) -> None:
+def test_one_world_serves_a_run_and_is_given_up_with_it(
+    sit: Sit, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Also if the page is left and shown again, which builds no other world."""
+    built: list[str] = []
+    usual = hosts.make_host
+
+    def make_host(request: RunRequest, loaded: Loaded | None = None) -> Host:
+        built.append(request.world)
+        return usual(request, loaded)
+
+    monkeypatch.setattr(twin, "make_host", make_host)
     at = AtSupervise(sit(HANOI))
     at.start_paused()
-    said(at, "agrees")
-    at.person.ctrl(Key.Key_1)
+    said(at, "Forecast of Op_2c: agrees")
+    for _ in range(2):
+        at.person.ctrl(Key.Key_1)
+        at.person.ctrl(Key.Key_3)
+    at.person.click(said(at, "Forecast of Op_2c: agrees").anew)
+    said(at, "Forecast of Op_2c: looking")
+    said(at, "Forecast of Op_2c: agrees")
+    assert built == ["table"]
+    at.person.ctrl(Key.Key_2)
+    at.press(Key.Key_F5)
+    at.person.qtbot.waitUntil(lambda: at.run.over)
     assert at.pane.forecaster.view is None
-    at.person.ctrl(Key.Key_3)
-    said(at, "agrees")
+
+
+def test_the_route_is_forecast_onward_and_the_card_says_what_agrees(sit: Sit) -> None:
+    at = AtSupervise(sit(SAMPLES / "hanoi-corrected.json", (1280, 800)))
+    at.start_paused()
+    strip = said(at, "2  Op_1b agrees. Fact 1: c → b    3  Op_3c agrees. Fact 3: a → c")
+    assert strip.onward.isVisible()
+    told = {card.card.name: card.accessibleName() for card in at.pane.board.cards}
+    assert "forecast agrees" in told.pop("Op_2b")
+    assert not any("forecast" in words for words in told.values())
 
 
 def test_facts_that_change_make_a_forecast_old(sit: Sit) -> None:

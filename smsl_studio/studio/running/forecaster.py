@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
+from functools import partial
 
 from PySide6.QtCore import QObject, QTimer, Signal
 
@@ -12,31 +13,40 @@ from smsl_studio.blueprint.address import Address
 from smsl_studio.dispatch.drive.foresight import sensed_values
 from smsl_studio.dispatch.execution.status import DispatchStatus
 from smsl_studio.front.request import RunRequest
+from smsl_studio.front.views.forecast_words import Values
 from smsl_studio.library.loaded import Loaded
-from smsl_studio.library.prediction import Prediction
+from smsl_studio.library.prediction import AGREES, Prediction
 from smsl_studio.studio.base.beside import Beside
 from smsl_studio.world.engines import TABLE
 
 QUIET = 150
 """Milliseconds without a change before a forecast begins."""
-
-Values = Mapping[str, str | None]
+AHEAD = 3
+"""So many operations of the route are forecast, the one at hand included."""
+PARTS = 24
+"""So many edges of the route are looked at for them: a step may have several."""
 
 
 @dataclass(frozen=True)
 class ForecastView:
     """The forecast of an operation from a configuration, None while it is looked for.
 
-    ``before`` has the sensed facts (``SB/digit``) at the moment when it was asked for.
+    ``before`` has the sensed facts (``SB/digit``) at the moment when it was asked for. ``then`` are
+    the operations that follow on the route, each from where the one before ends. It ends at the
+    first that differs or has no forecast.
     """
 
     edge: Address
     before: Values
     found: Prediction | None = None
+    then: tuple[tuple[Address, Prediction], ...] = ()
 
 
 class Forecaster(QObject):
-    """Keeps one forecast: that of the operation that was asked for last."""
+    """Keeps one forecast: that of the operation that was asked for last.
+
+    The world of a run is built once, and kept until ``clear``.
+    """
 
     changed = Signal()
 
@@ -50,6 +60,8 @@ class Forecaster(QObject):
         self._request: RunRequest | None = None
         self._key: tuple[object, ...] | None = None
         self._wanted: tuple[Mapping[str, str], Address] | None = None
+        self._route: tuple[Address, ...] = ()
+        self._left: list[Address] = []
         self._beside = Beside(self)
         self._quiet = QTimer(self)
         self._quiet.setSingleShot(True)
@@ -78,6 +90,8 @@ class Forecaster(QObject):
             host = "local" if request.world == TABLE else "process"
             self._twin = self._make(replace(request, host=host), loaded, gentle=True)
         self._key, self._wanted = key, (dict(status.configuration), edge)
+        route = status.route
+        self._route = route[route.index(edge) + 1 :][:PARTS] if edge in route else ()
         self.view = ForecastView(edge, sensed_values(status.scene))
         self._beside.drop()
         self._quiet.start()
@@ -114,9 +128,29 @@ class Forecaster(QObject):
     def _look(self) -> None:
         twin, wanted = self._twin, self._wanted
         if twin is not None and wanted is not None:
+            self._left = [*self._route]
             self._beside.do(lambda: twin.predict(*wanted), self._take)
 
     def _take(self, found: Prediction) -> None:
         if self.view is not None:
-            self.view = replace(self.view, found=found)
+            self.view = replace(self.view, found=found, then=())
             self.changed.emit()
+            self._go_on()
+
+    def _go_on(self) -> None:
+        """Look for the forecast of the next operation of the route."""
+        view, twin = self.view, self._twin
+        if view is None or twin is None or not self._left or len(view.then) >= AHEAD - 1:
+            return
+        last = view.then[-1][1] if view.then else view.found
+        if last is not None and last.verdict == AGREES:
+            edge = self._left.pop(0)
+            self._beside.do(lambda: twin.onward(edge), partial(self._take_next, edge))
+
+    def _take_next(self, edge: Address, found: Prediction | None) -> None:
+        if self.view is None:
+            return
+        if found is not None:
+            self.view = replace(self.view, then=(*self.view.then, (edge, found)))
+            self.changed.emit()
+        self._go_on()

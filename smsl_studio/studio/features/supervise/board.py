@@ -11,7 +11,7 @@ from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.front.views.partial import PartialView
 from smsl_studio.studio.base.theme import Tokens
-from smsl_studio.studio.features.supervise.card import CardButton
+from smsl_studio.studio.features.supervise.card import CardButton, CardForecast
 from smsl_studio.studio.features.supervise.columns import Columns
 from smsl_studio.studio.features.supervise.spot import StateSpot
 from smsl_studio.studio.features.supervise.surface import PartialSurface
@@ -86,6 +86,10 @@ class Board(QScrollArea):
         """
         self._inner.show_view(blueprint, view, chosen, sensed)
         self._follow()
+
+    def show_forecast(self, told: CardForecast | None) -> None:
+        """Show on its card what the forecast of an operation says. None shows none."""
+        self._inner.show_forecast(told)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Keep the states in the middle of the visible part."""

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 from PySide6.QtCore import QPointF, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import QColor, QKeyEvent, QPainter, QPaintEvent, QPen, QPolygonF
 from PySide6.QtWidgets import QAbstractButton, QWidget
 
+from smsl_studio.blueprint.address import Address
 from smsl_studio.front.views.partial import (
     NEXT,
     NUMBERED,
@@ -49,6 +52,25 @@ BADGES = {
 ACTORS = {"human": "a person acts", "shared": "a person and the robot act", "robot": "automatic"}
 
 
+@dataclass(frozen=True)
+class CardForecast:
+    """What the forecast of an operation says: it agrees, or in ``words`` what differs."""
+
+    edge: Address
+    agrees: bool
+    words: str = ""
+
+    @property
+    def verdict(self) -> str:
+        """The word on the card."""
+        return "agrees" if self.agrees else "differs"
+
+    @property
+    def sentence(self) -> str:
+        """The verdict, and what differs."""
+        return f"forecast {self.verdict}" + (f": {self.words}" if self.words else "")
+
+
 class CardButton(QAbstractButton):
     """One operation. A click chooses it, and the decision must still be confirmed."""
 
@@ -59,6 +81,7 @@ class CardButton(QAbstractButton):
         super().__init__(parent)
         self.card, self._tokens = card, tokens
         self._chosen = False
+        self._forecast: CardForecast | None = None
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setAttribute(Qt.WidgetAttribute.WA_Hover)
         self.setCursor(Qt.CursorShape.PointingHandCursor)
@@ -67,8 +90,23 @@ class CardButton(QAbstractButton):
     def show_card(self, card: OperationCard, chosen: bool) -> None:
         """Show another state of the same operation, or another operation."""
         self.card, self._chosen = card, chosen
-        self.setAccessibleName(plain_text(card_words(card, chosen)))
-        self.setToolTip(tip_text(_tip(card)))
+        if self._forecast is not None and self._forecast.edge != card.address:
+            self._forecast = None
+        self._tell()
+
+    def show_forecast(self, told: CardForecast | None) -> None:
+        """Show what its forecast says. None shows none."""
+        if told != self._forecast:
+            self._forecast = told
+            self._tell()
+
+    def _tell(self) -> None:
+        said, tip = card_words(self.card, self._chosen), _tip(self.card)
+        if self._forecast is not None:
+            said = f"{said}, {self._forecast.sentence}"
+            tip = f"{tip}\nF{self._forecast.sentence[1:]}"
+        self.setAccessibleName(plain_text(said))
+        self.setToolTip(tip_text(tip))
         self.update()
 
     def set_tokens(self, tokens: Tokens) -> None:
@@ -208,11 +246,26 @@ class CardButton(QAbstractButton):
         if self.card.standing == REFUSED and own and box.right() - 6 - left >= ROOM:
             words = reason
         ink = {"unknown": t.unk, "missing": t.risk}.get(self.card.unmet, t.tx2)
+        if self._forecast is not None and self._forecast.words:
+            words, ink = self._forecast.words, t.bad
+        end = self._verdict(painter, box, y)
         painter.setFont(plain.font)
         painter.setPen(ink)
-        right = Qt.TextElideMode.ElideRight
-        shown = plain.metrics.elidedText(plain_text(words), right, box.right() - 6 - left)
+        elide = Qt.TextElideMode.ElideRight
+        shown = plain.metrics.elidedText(plain_text(words), elide, end - left)
         painter.drawText(QPointF(left, y + plain.rise), shown)
+
+    def _verdict(self, painter: QPainter, box: QRectF, middle: float) -> float:
+        """Paint what the forecast says at the right; returns where it begins (pixels)."""
+        if self._forecast is None:
+            return box.right() - 6
+        t, kind = self._tokens, Type(text_font(12, 600))
+        ink = t.ok if self._forecast.agrees else t.bad
+        left = box.right() - 10 - kind.width(self._forecast.verdict)
+        kind.draw_from(painter, left, middle, self._forecast.verdict, ink)
+        sign = "check" if self._forecast.agrees else "close"
+        draw(painter, sign, QRectF(left - 16, middle - 6, 12, 12), ink, t.surf)
+        return left - 22
 
 
 def _triangle(painter: QPainter, x: float, y: float, fill: QColor | None, tokens: Tokens) -> None:

@@ -4,24 +4,33 @@ from __future__ import annotations
 
 from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtGui import QColor
-from PySide6.QtWidgets import QHBoxLayout, QPushButton, QSizePolicy, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QPushButton, QSizePolicy, QVBoxLayout, QWidget
 
-from smsl_studio.blueprint.address import split_fact
 from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.front.views.forecast_words import (
+    Values,
+    differs_words,
+    operation_name,
+    verdict_words,
+)
 from smsl_studio.legible import plain_text
-from smsl_studio.library.prediction import AGREES, DIFFERS
+from smsl_studio.library.prediction import AGREES, NONE
 from smsl_studio.studio.base.controls import Elided, Label
 from smsl_studio.studio.base.icons import pixmap
 from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.base.tips import tip_text
-from smsl_studio.studio.running.forecaster import ForecastView, Values
+from smsl_studio.studio.features.supervise.card import CardForecast
+from smsl_studio.studio.running.forecaster import ForecastView
 
-HEIGHT, SIGN = 36, 16
+HEIGHT, SIGN, ONWARD = 36, 16, 22
+"""The height of the first line, its sign, and the height of the second line (pixels)."""
 EVIDENCE = "A forecast is no evidence; the state check decides."
 
 
 class ForecastStrip(QWidget):
-    """One line. The button looks for the forecast again."""
+    """One line, and a second one for the operations that follow on the route. The button looks for
+    the forecast again.
+    """
 
     anew_wanted = Signal()
 
@@ -29,6 +38,7 @@ class ForecastStrip(QWidget):
         super().__init__(parent)
         self._tokens = tokens
         self._sign_name = ""
+        self._current: ForecastView | None = None
         self.setProperty("role", "panel")
         self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
         self.setFixedHeight(HEIGHT)
@@ -40,12 +50,25 @@ class ForecastStrip(QWidget):
         self.anew = QPushButton("Forecast anew")
         self.anew.setToolTip(tip_text("Try the operation once more from where the run stands"))
         self.anew.clicked.connect(self.anew_wanted)
-        row = QHBoxLayout(self)
+        first = QWidget()
+        first.setFixedHeight(HEIGHT)
+        row = QHBoxLayout(first)
         row.setContentsMargins(14, 2, 10, 2)
         row.setSpacing(8)
         row.addWidget(self._sign)
         row.addWidget(self.words, 1)
         row.addWidget(self.anew)
+        self.onward = Elided()
+        self.onward.setProperty("role", "second")
+        self.onward.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
+        self.onward.setContentsMargins(14 + SIGN + 8, 0, 10, 4)
+        self.onward.setFixedHeight(ONWARD)
+        self.onward.hide()
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(0)
+        column.addWidget(first)
+        column.addWidget(self.onward)
         self.hide()
 
     def set_tokens(self, tokens: Tokens) -> None:
@@ -59,16 +82,32 @@ class ForecastStrip(QWidget):
         they may differ from those before it.
         """
         self.setVisible(blueprint is not None and view is not None)
+        self._current = None
         if blueprint is None or view is None:
             return
         old = not at_work and view.found is not None and dict(now) != dict(view.before)
+        self._current = None if old else view
         self._sign_name, words = _words(blueprint, view, old)
         self.anew.setVisible(view.found is not None and not at_work)
         self.words.setText(plain_text(words))
-        whole = f"{words}\n{EVIDENCE}"
+        onward = "" if old else _onward(blueprint, view)
+        self.onward.setText(plain_text(onward))
+        self.onward.setVisible(bool(onward))
+        self.setFixedHeight(HEIGHT + (ONWARD if onward else 0))
+        lines = (words, view.found.reason if view.found is not None else "", onward, EVIDENCE)
+        whole = "\n".join(line for line in lines if line)
         self.setToolTip(tip_text(whole))
         self.setAccessibleDescription(plain_text(whole))
         self._show_sign()
+
+    def card_words(self, blueprint: Blueprint | None) -> CardForecast | None:
+        """What the card of the operation says about its forecast. None if that says nothing."""
+        view = self._current
+        if blueprint is None or view is None or view.found is None or view.found.verdict == NONE:
+            return None
+        agrees = view.found.verdict == AGREES
+        words = "" if agrees else differs_words(blueprint, view.found)
+        return CardForecast(view.edge, agrees, words)
 
     def _show_sign(self) -> None:
         t = self._tokens
@@ -82,32 +121,23 @@ class ForecastStrip(QWidget):
 
 def _words(blueprint: Blueprint, view: ForecastView, old: bool) -> tuple[str, str]:
     """Return the sign of a forecast, and its sentence."""
-    edge, found = view.edge, view.found
-    branch = blueprint[edge.branch]
-    name = branch.operation_note(edge.state, edge.operation).title or edge.operation
+    found = view.found
+    name = operation_name(blueprint, view.edge)
     if found is None:
         return "clock", f"Forecast of {name}: looking"
     if old:
         return "unknown", f"Forecast of {name}: out of date, facts have changed since"
-    if found.verdict == AGREES:
-        changes = "; ".join(
-            _change(blueprint, key, view.before.get(key), value)
-            for key, value in found.after.items()
-            if view.before.get(key) != value
-        )
-        return "check", f"Forecast of {name}: agrees. {changes or 'No fact changes'}"
-    if found.verdict == DIFFERS:
-        return "close", f"Forecast of {name}: differs. {found.reason}"
-    return "unknown", f"No forecast of {name}: {found.reason}"
+    if found.verdict == NONE:
+        return "unknown", f"No forecast of {name}: {found.reason}"
+    sign = "check" if found.verdict == AGREES else "close"
+    return sign, f"Forecast of {name}: {verdict_words(blueprint, view.before, found)}"
 
 
-def _change(blueprint: Blueprint, key: str, before: str | None, after: str | None) -> str:
-    """Return the change of a fact in words, with its name and the names of its values."""
-    fact = split_fact(key)
-    if fact is None or fact[0] not in blueprint.branches:
-        return f"{key}: {before or 'unknown'} → {after or 'unknown'}"
-    branch, digit = blueprint[fact[0]], fact[1]
-    note = branch.fact_note(digit)
-    named = dict(note.values) if note is not None and note.values else {}
-    told = [named.get(one, one) if one is not None else "unknown" for one in (before, after)]
-    return f"{branch.fact_name(digit)}: {told[0]} → {told[1]}"
+def _onward(blueprint: Blueprint, view: ForecastView) -> str:
+    """Return the forecasts of the operations that follow on the route, in one line."""
+    told, before = [], view.found.after if view.found is not None else {}
+    for number, (edge, found) in enumerate(view.then, 2):
+        words = verdict_words(blueprint, before, found)
+        told.append(f"{number}  {operation_name(blueprint, edge)} {words}")
+        before = found.after
+    return "    ".join(told)

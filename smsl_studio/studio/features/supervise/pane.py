@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from PySide6.QtCore import QEvent, Qt, Signal
-from PySide6.QtGui import QHideEvent, QKeyEvent, QResizeEvent, QShowEvent
+from PySide6.QtGui import QKeyEvent, QResizeEvent, QShowEvent
 from PySide6.QtWidgets import (
     QAbstractButton,
     QApplication,
@@ -233,6 +233,8 @@ class SupervisePane(QWidget):
     def _connect(self) -> None:
         run, bar = self._run, self.bar
         run.changed.connect(self.refresh)
+        # Its world is kept while the run lives, also where nobody sees the page.
+        run.exists_changed.connect(lambda on: None if on else self.forecaster.clear())
         self._session.blueprint_changed.connect(lambda *_: self.refresh())
         run.refused.connect(lambda error: self.notice.say(refusal_words(error)))
         self.board.card_chosen.connect(self.pick)
@@ -296,7 +298,9 @@ class SupervisePane(QWidget):
         run, status = self._run, self._run.status
         at_work = status is not None and (status.carrying or status.running) is not None
         now = sensed_values(status.scene) if status is not None else {}
-        self.forecast.show_forecast(run.blueprint, self.forecaster.view, now, at_work)
+        view = self.forecaster.view
+        self.forecast.show_forecast(run.blueprint, view, now, at_work)
+        self.board.show_forecast(self.forecast.card_words(run.blueprint))
 
     def _place_heads(self) -> None:
         shown = self.pages.currentWidget() is self.board
@@ -327,12 +331,6 @@ class SupervisePane(QWidget):
         """Show the present state of the run."""
         super().showEvent(event)
         self.refresh()
-
-    def hideEvent(self, event: QHideEvent) -> None:
-        """Give the forecast and its world up, because nobody sees it."""
-        super().hideEvent(event)
-        if not event.spontaneous():
-            self.forecaster.clear()
 
     # Keys.
 

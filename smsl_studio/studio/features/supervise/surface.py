@@ -18,7 +18,7 @@ from smsl_studio.studio.base.paint.ink import Ink, Type, draw_sub_mark
 from smsl_studio.studio.base.paint.node_paint import NodeLook, full_width
 from smsl_studio.studio.base.theme import Tokens, text_font
 from smsl_studio.studio.base.tips import tip_text
-from smsl_studio.studio.features.supervise.card import HEIGHT, INSET, CardButton
+from smsl_studio.studio.features.supervise.card import HEIGHT, INSET, CardButton, CardForecast
 from smsl_studio.studio.features.supervise.columns import NARROWEST, Columns, columns
 from smsl_studio.studio.features.supervise.legend import PartialLegend
 from smsl_studio.studio.features.supervise.spot import StateSpot
@@ -55,6 +55,7 @@ class PartialSurface(QWidget):
         self._legend = PartialLegend(tokens, self)
         self._centres: dict[str, float] = {}
         self._told: object = None
+        self._forecast: CardForecast | None = None
 
     def set_tokens(self, tokens: Tokens) -> None:
         """Use the colours of another theme."""
@@ -88,6 +89,13 @@ class PartialSurface(QWidget):
         self.view, self._sensed = view, sensed
         self._fill_cards(view.cards if view else (), chosen)
         self._arrange()
+
+    def show_forecast(self, told: CardForecast | None) -> None:
+        """Show on its card what the forecast of an operation says. None shows none."""
+        self._forecast = told
+        for button in self.cards:
+            own = told is not None and told.edge == button.card.address
+            button.show_forecast(told if own else None)
 
     def set_window(self, window: QRect) -> None:
         """Set the visible part (pixels), in whose middle the states stay."""
@@ -128,6 +136,7 @@ class PartialSurface(QWidget):
             if button.card != card or button.property("picked") != picked:
                 button.setProperty("picked", picked)
                 button.show_card(card, picked)
+        self.show_forecast(self._forecast)
         self.updateGeometry()
 
     def _press(self, button: CardButton) -> None:
