@@ -53,6 +53,7 @@ BENCHES = (
     "world_traces",
     "replay",
     "reaction",
+    "paced",
     "soak",
     "stopping",
     "oracle",

@@ -83,10 +83,7 @@ def all_rows() -> Iterator[Row]:
 
 def _rows(commands: int, tries: int) -> Iterator[Row]:
     with tempfile.TemporaryDirectory() as name:
-        folder = Path(name) / "walk"
-        folder.mkdir()
-        (folder / "plugin.toml").write_text('name = "walk"\nversion = "1"\n')
-        (folder / "plugin.py").write_text(PLUGIN)
+        folder = _plugin(Path(name))
         yield from _commands(folder, commands)
         killed = max(_until_held(folder, "Walk", _kill) for _ in range(tries))
         yield Row(f"process killed, {tries} times: until the run holds", killed * 1000,
@@ -94,6 +91,20 @@ def _rows(commands: int, tries: int) -> Iterator[Row]:
         hung = max(_until_held(folder, "Hang", _nothing) for _ in range(tries))
         yield Row(f"operation hangs, {tries} times: beyond its limit until the run holds",
                   (hung - HANG) * 1000, bound="at most 300 ms (wall time)")  # fmt: skip
+
+
+def obeyed(count: int) -> Iterator[Row]:
+    """Give so many commands at random moments."""
+    with tempfile.TemporaryDirectory() as name:
+        yield from _commands(_plugin(Path(name)), count)
+
+
+def _plugin(place: Path) -> Path:
+    folder = place / "walk"
+    folder.mkdir()
+    (folder / "plugin.toml").write_text('name = "walk"\nversion = "1"\n')
+    (folder / "plugin.py").write_text(PLUGIN)
+    return folder
 
 
 @dataclass

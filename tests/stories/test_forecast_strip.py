@@ -78,7 +78,7 @@ def test_what_differs_and_what_has_no_forecast_is_said(
 def test_one_world_serves_a_run_and_is_given_up_with_it(
     sit: Sit, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """Also if the page is left and shown again, which builds no other world."""
+    """Another operation, or the page left and shown again, builds no other world."""
     built: list[str] = []
     usual = hosts.make_host
 
@@ -89,6 +89,10 @@ def test_one_world_serves_a_run_and_is_given_up_with_it(
     monkeypatch.setattr(twin, "make_host", make_host)
     at = AtSupervise(sit(HANOI))
     at.start_paused()
+    said(at, "Forecast of Op_2c: agrees")
+    at.press(at.number("Op_1c"))
+    said(at, "Forecast of Op_1c: agrees")
+    at.press(Key.Key_Escape)
     said(at, "Forecast of Op_2c: agrees")
     for _ in range(2):
         at.person.ctrl(Key.Key_1)

@@ -246,9 +246,11 @@ class CardButton(QAbstractButton):
         if self.card.standing == REFUSED and own and box.right() - 6 - left >= ROOM:
             words = reason
         ink = {"unknown": t.unk, "missing": t.risk}.get(self.card.unmet, t.tx2)
-        if self._forecast is not None and self._forecast.words:
-            words, ink = self._forecast.words, t.bad
         end = self._verdict(painter, box, y)
+        if self._forecast is not None and self._forecast.words:
+            # The strip below has all of it, so a part of a sentence helps nobody here.
+            whole = plain_text(self._forecast.words)
+            words, ink = whole if plain.width(whole) <= end - left else "", t.bad
         painter.setFont(plain.font)
         painter.setPen(ink)
         elide = Qt.TextElideMode.ElideRight
