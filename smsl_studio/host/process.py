@@ -4,7 +4,8 @@ The child is a fresh interpreter. Commands and answers go through a pipe, in loc
 dispatcher. ``answers`` declares the format of each answer; any other bytes raise HostError.
 HostError is also raised at once for a child that has died, after ``hang_limit`` seconds for a child
 that hangs in one command, and after ``silence_limit`` seconds for a child without a heartbeat.
-Every later call raises the same error. Times here are wall time.
+Every later call raises the same error. Times here are wall time in which the child could have
+worked (see ``patience``).
 
 One thread drives the host. Any thread may call ``poses``, ``status``, ``pid`` and ``close``. A
 close ends the wait of the driving thread.
@@ -13,7 +14,6 @@ close ends the wait of the driving thread.
 from __future__ import annotations
 
 import threading
-import time
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -26,6 +26,7 @@ from smsl_studio.host.answers import CRASHED, LOADS, REFUSED, RunAnswers
 from smsl_studio.host.child import Recipe
 from smsl_studio.host.codec import Unfit
 from smsl_studio.host.exit_words import ending_words
+from smsl_studio.host.patience import Patience
 from smsl_studio.host.protocol import Happened, OpenedWorld, Outcome, Priced, Tick
 from smsl_studio.host.spare import Spare
 from smsl_studio.host.started_child import Child, start_child
@@ -119,7 +120,7 @@ class ProcessHost:
         self._gone: HostError | None = None
         self._doing = ""
         self._opened = False
-        self._beat = 0.0
+        self._idle = Patience(terms.silence_limit)
         self._using = threading.RLock()
         self._closing = False
 
@@ -147,7 +148,7 @@ class ProcessHost:
             assert self._answers is not None
             self._answers.opened(opened)
             self._ticks, self._step = 0, opened.tick
-            self._opened, self._beat = True, time.monotonic()
+            self._opened, self._idle = True, self._pulse()
             return opened
 
     def sense(self) -> tuple[Sample, ...]:
@@ -216,12 +217,10 @@ class ProcessHost:
             if self._child.dead:
                 raise self._died()
             self._child.show()
-            now = time.monotonic()
+            self._idle.look()
             if self._child.beats():
-                self._beat = now
-            elif now - self._beat > self._terms.silence_limit:
-                silent = f"{now - self._beat:.1f} s{self._doing}"
-                raise self._lost(f"the simulation process has shown no pulse for {silent}")
+                self._idle = self._pulse()
+            self._check(self._idle)
 
     def close(self) -> None:
         """End the child, even if it hangs, and free everything. A second call does nothing."""
@@ -299,7 +298,7 @@ class ProcessHost:
 
     def _wait(self, child: Child, verb: str, limit: float) -> WireFrame:
         """Return the frame that ends the answer. No other code waits for the child."""
-        began = heard = time.monotonic()
+        answer, pulse = Patience(limit, strict=self._terms.hardware), self._pulse()
         late: StopListener | None = None
         if verb == "cancel":
             child.starved()  # resets the measurement: only time from now on counts
@@ -314,16 +313,23 @@ class ProcessHost:
                 raise self._lost("the host is closed")
             with starving(child.starved()):
                 late = _heeded(late, verb)
-            now = time.monotonic()
-            if now - began > limit:
-                raise self._lost(
-                    f"the simulation process did not answer for {now - began:.1f} s{self._doing}"
-                )
+            answer.look(shut_out=child.shut_out)
+            pulse.look(shut_out=child.shut_out)
+            if answer.over:
+                words = f"did not answer for {answer.words}{self._doing}"
+                raise self._lost(f"the simulation process {words}")
             if child.beats() or not self._opened or verb == "open":
-                heard = now
-            elif now - heard > self._terms.silence_limit:
-                silent = f"{now - heard:.1f} s{self._doing}"
-                raise self._lost(f"the simulation process has shown no pulse for {silent}")
+                pulse = self._pulse()
+            self._check(pulse)
+
+    def _pulse(self) -> Patience:
+        """Return a new wait for a sign of life."""
+        return Patience(self._terms.silence_limit, strict=self._terms.hardware)
+
+    def _check(self, pulse: Patience) -> None:
+        if pulse.over:
+            words = f"has shown no pulse for {pulse.words}{self._doing}"
+            raise self._lost(f"the simulation process {words}")
 
     def _died(self) -> HostError:
         assert self._child is not None

@@ -44,6 +44,9 @@ class ProcessorTime(NamedTuple):
         wait for a disk, and processor time that a hypervisor took from the whole machine.
         """
         wall = self.at - before.at
-        if self.waited - before.waited > wall / 2:
-            return True
-        return self.ready and self.ran - before.ran < wall / 10
+        return self.waited - before.waited > wall / 2 or self.shut_out_since(before)
+
+    def shut_out_since(self, before: ProcessorTime) -> bool:
+        """Whether the process is ready to work and has had next to no processor time since
+        ``before``, so that it cannot even do little."""
+        return self.ready and self.ran - before.ran < (self.at - before.at) / 10

@@ -47,6 +47,7 @@ class Child:
     def __init__(self, process: subprocess.Popen[bytes], wire: Wire, said: int, beats: int) -> None:
         self.wire = wire
         self.prepared = False
+        self.shut_out = False
         self.pid = process.pid
         self._process = process
         self._outlet = Outlet(said)
@@ -117,8 +118,10 @@ class Child:
             return False
 
     def starved(self) -> bool:
-        """Whether the child has had too little processor time since the last call."""
+        """Whether the child has had too little processor time for a short answer since the last
+        call. ``shut_out`` says then whether it has had next to none."""
         before, self._given = self._given, ProcessorTime.of(self.pid)
+        self.shut_out = self._given.shut_out_since(before)
         return self._given.starved_since(before)
 
     @property

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import math
 import tempfile
+from collections.abc import Iterator
 from contextlib import suppress
 from pathlib import Path
 from typing import Any
@@ -24,7 +25,7 @@ from smsl_studio.world.manipulator import Manipulator, Pose
 from smsl_studio.world.planned_world import MODELS, PlannedWorld
 from smsl_studio.world.pose import check_amounts, check_orientation, check_position
 from smsl_studio.world.protocol import Quaternion, Vector
-from smsl_studio.world.rest import CALM, Extent, restless, touching
+from smsl_studio.world.rest import Extent, touching
 from smsl_studio.world.silence import silence
 
 with silence():
@@ -182,20 +183,24 @@ class BulletWorld(PlannedWorld):
         """Let all bodies fall to rest and sleep. It is a part of building and takes no simulated
         time.
 
-        WorldError if a body still moves after ``limit`` seconds.
+        WorldError if two bodies are in one place, or if a body still moves after ``limit`` seconds.
         """
-        before, calm = self._ticks, 0
-        while calm < 12 and (self._ticks - before) * self.tick < limit:
-            self.step()
-            calm = calm + 1 if all(self.speed(name) < CALM for name in self._loose()) else 0
-        if calm < 12:
+        before = self._ticks
+        try:
+            self._come_to_rest(limit)
+            for name in self._loose():
+                self._put(name, *self.pose(name), STILL, STILL)
+                self._let_sleep(self._ids[name], at_once=True)
+            self.step()  # for the engine a body sleeps only from the next tick on
+        finally:
             self._ticks = before
-            raise restless(self.name, {name: self.speed(name) for name in self._loose()}, limit)
-        for name in self._loose():
-            self._put(name, *self.pose(name), STILL, STILL)
-            self._let_sleep(self._ids[name], at_once=True)
-        self.step()  # for the engine a body sleeps only from the next tick on
-        self._ticks = before
+
+    def _contacts(self) -> Iterator[tuple[float, str, str]]:
+        names = {made: name for name, made in self._ids.items()}
+        for contact in self._engine.getContactPoints():
+            if contact[1] in names and contact[2] in names:
+                one, other = sorted((names[contact[1]], names[contact[2]]))
+                yield -contact[8], one, other
 
     def rub(self, name: str, friction: float) -> None:
         """Change the friction of a body until the world is built again. WorldError below 0."""

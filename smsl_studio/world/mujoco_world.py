@@ -6,6 +6,7 @@ way. The engine compiles a whole model at once, so that is done when it is first
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from itertools import combinations
 from typing import Any
 
@@ -27,7 +28,6 @@ from smsl_studio.world.mujoco_arm import (
 from smsl_studio.world.planned_world import MODELS, PlannedWorld
 from smsl_studio.world.pose import check_amounts, check_orientation, check_position
 from smsl_studio.world.protocol import Quaternion, Vector
-from smsl_studio.world.rest import CALM, restless
 from smsl_studio.world.urdf import read_urdf
 
 SUBSTEPS = 2
@@ -147,15 +147,21 @@ class MujocoWorld(PlannedWorld):
     def settle(self, limit: float = 1.0) -> None:
         """Let all bodies fall to rest. It is a part of building and takes no simulated time.
 
-        WorldError if a body still moves after ``limit`` seconds.
+        WorldError if two bodies are in one place, or if a body still moves after ``limit`` seconds.
         """
-        before, calm = self._ticks, 0
-        while calm < 12 and (self._ticks - before) * self.tick < limit:
-            self.step()
-            calm = calm + 1 if all(self.speed(name) < CALM for name in self._loose()) else 0
-        self._ticks = before
-        if calm < 12:
-            raise restless(self.name, {name: self.speed(name) for name in self._loose()}, limit)
+        before = self._ticks
+        try:
+            self._come_to_rest(limit)
+        finally:
+            self._ticks = before
+
+    def _contacts(self) -> Iterator[tuple[float, str, str]]:
+        bodies = {part.name for part in self._plan if isinstance(part, Body)}
+        for contact in self.data.contact:
+            pair = (self.model.geom_bodyid[geom] for geom in (contact.geom1, contact.geom2))
+            one, other = sorted(self.model.body(body).name for body in pair)
+            if {one, other} <= bodies:
+                yield -contact.dist, one, other
 
     def rub(self, name: str, friction: float) -> None:
         """Change the friction of a body until the world is built again. WorldError below 0."""

@@ -4,7 +4,7 @@ time, the robot's kinematics, what is drawn, and the words for people."""
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from pathlib import Path
 
 from smsl_studio.errors import WorldError
@@ -14,6 +14,7 @@ from smsl_studio.world.kinematics import Arm
 from smsl_studio.world.models import models_folder
 from smsl_studio.world.pose import check_amounts, check_position
 from smsl_studio.world.protocol import Shape
+from smsl_studio.world.rest import CALM, refuse_overlaps, restless
 from smsl_studio.world.robot_motors import RobotMotors
 
 MODELS = models_folder() or Path()
@@ -44,6 +45,32 @@ class PlannedWorld(ABC):
     @abstractmethod
     def fingers_on(self, name: str) -> int:
         """Return the number of the robot's fingers that press on a body: 0, 1 or 2."""
+
+    @abstractmethod
+    def step(self) -> None:
+        """Advance the world by one tick of 1/240 s."""
+
+    @abstractmethod
+    def speed(self, name: str) -> float:
+        """Return the speed of a body (m/s), its rotation included."""
+
+    @abstractmethod
+    def _contacts(self) -> Iterator[tuple[float, str, str]]:
+        """Yield how deep (m) bodies are in each other, with their names in order."""
+
+    def _come_to_rest(self, limit: float) -> None:
+        """Step until all bodies are at rest.
+
+        WorldError if two bodies are in one place, or if a body still moves after ``limit`` seconds.
+        """
+        before, calm = self._ticks, 0
+        while calm < 12 and (self._ticks - before) * self.tick < limit:
+            self.step()
+            if self._ticks == before + 1:
+                refuse_overlaps(self.name, self._contacts())
+            calm = calm + 1 if all(self.speed(name) < CALM for name in self._loose()) else 0
+        if calm < 12:
+            raise restless(self.name, {name: self.speed(name) for name in self._loose()}, limit)
 
     def _check(self, part: Body | Robot) -> None:
         """WorldError if a part cannot be added: for a name that exists already, a second robot, or

@@ -1,8 +1,8 @@
-"""Bodies at rest: finds bodies that may touch each other, and bodies that still move."""
+"""Bodies at rest: finds bodies that may touch each other, that are in one place, or still move."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 
 from smsl_studio.errors import WorldError
 from smsl_studio.world.protocol import Vector
@@ -16,6 +16,9 @@ NEAR = 0.003
 
 CALM = 0.002
 """The speed (m/s) below which a body counts as at rest."""
+
+OVERLAP = 0.001
+"""The depth (m) to which bodies may be in each other when a world is built."""
 
 TOLD = 5
 """The largest number of moving bodies that a message names."""
@@ -37,6 +40,20 @@ def restless(world: str, speeds: Mapping[str, float], limit: float) -> WorldErro
         f"the world {world!r} does not come to rest within {limit:g} s: {words}{more}",
         advice="Put things where they can rest, or settle it with a longer limit.",
     )
+
+
+def refuse_overlaps(world: str, contacts: Iterable[tuple[float, str, str]]) -> None:
+    """Raise WorldError if two bodies are in one place. An engine would throw them apart.
+
+    A contact is how deep (m) two bodies are in each other, and their names.
+    """
+    depth, one, other = max(contacts, default=(0.0, "", ""))
+    if depth > OVERLAP:
+        raise WorldError(
+            f"{one!r} and {other!r} are in one place in the world {world!r}: they overlap by"
+            f" {1000 * depth:.0f} mm",
+            advice="Put them apart.",
+        )
 
 
 def _are_near(one: Extent, other: Extent) -> bool:

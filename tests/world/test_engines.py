@@ -7,7 +7,11 @@ from pathlib import Path
 import pytest
 
 import smsl_studio
-from smsl_studio.world.engines import ENGINES, make_engine
+from smsl_studio.errors import WorldError
+from smsl_studio.world.bodies import Body, Box, Floor
+from smsl_studio.world.bullet import BulletWorld
+from smsl_studio.world.engines import ENGINES, TABLE, make_engine
+from smsl_studio.world.mujoco_world import MujocoWorld
 
 PACKAGE = Path(smsl_studio.__file__).parent
 
@@ -30,3 +34,23 @@ def test_every_engine_gives_an_empty_world(engine: str) -> None:
         assert (world.time, world.shapes()) == (0.0, ())
     finally:
         world.close()
+
+
+@pytest.mark.parametrize("engine", [name for name in ENGINES if name != TABLE])
+@pytest.mark.parametrize(("height", "depth"), [(0.02, 40), (0.05, 10)])
+def test_two_things_in_one_place_are_refused_and_not_thrown_apart(
+    engine: str, height: float, depth: int
+) -> None:
+    world = make_engine(engine, "here")
+    assert isinstance(world, BulletWorld | MujocoWorld)
+    world.add(Body("table", Floor(), (0.0, 0.0, 0.0)))
+    world.add(Body("low", Box((0.02, 0.02, 0.02)), (0.0, 0.0, 0.02), mass=0.1))
+    world.add(Body("high", Box((0.02, 0.02, 0.02)), (0.0, 0.0, height), mass=0.1))
+    words = f"'high' and 'low' are in one place in the world 'here': they overlap by {depth} mm"
+    with pytest.raises(WorldError, match=words):
+        world.settle()
+    assert world.time == 0.0
+    world.place("high", (0.0, 0.0, 0.0601))
+    world.settle()
+    assert world.pose("high")[0][2] == pytest.approx(0.06, abs=1e-3)
+    world.close()
