@@ -32,6 +32,7 @@ BENCHES = (
     "physics",
     "faults",
     "agents",
+    "campaigns",
     "supervisors",
     "worlds",
     "previews",

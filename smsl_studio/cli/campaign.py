@@ -99,6 +99,13 @@ def execute(options: argparse.Namespace, out: Output) -> int:
         save_document(campaign_page(request, done).encode("utf-8"), options.report, made_of=read)
     for name in done.left_out:
         note(f"the fault {name} is left out: its parameters are not those of an operation")
+    if done.made:
+        note(
+            f"{done.made:,} of {done.runs:,} runs differ from another one in their seed alone, and "
+            "were not carried out; each hundredth was"
+        )
+    if done.alone:
+        note(f"runs were carried out one by one: {done.alone}")
     if options.format == "json":
         out.json(done.as_json())
     else:

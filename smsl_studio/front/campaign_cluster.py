@@ -10,6 +10,7 @@ computer itself; the verdicts are checked all the same.
 from __future__ import annotations
 
 import json
+import logging
 import os
 import re
 import tempfile
@@ -76,6 +77,8 @@ class CampaignCluster:
         self._files, self._main = files_of(blueprint)
         self._code = code_of(blueprint, world)
         self._world = world
+        # A lost worker gives its runs to another one. Dask would warn of it on the terminal.
+        logging.getLogger("distributed.client").setLevel(logging.ERROR)
         try:
             make: Any = distributed.Client
             self._client = make(address, timeout=CONNECT, set_as_default=False)

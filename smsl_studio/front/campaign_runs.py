@@ -93,7 +93,11 @@ def request_of(blueprint: Blueprint, asked: CampaignRun) -> RunRequest:
 
 def judged(blueprint: Blueprint, asked: CampaignRun) -> RunVerdict:
     """Carry out one run, and judge it."""
-    done = run_request(request_of(blueprint, asked))
+    return verdict_of(run_request(request_of(blueprint, asked)))
+
+
+def verdict_of(done: Run) -> RunVerdict:
+    """Judge a run that is over."""
     return RunVerdict(
         reached=done.reason == "goal_reached",
         recovered=done.reason == "goal_reached" and _was_disturbed(done),

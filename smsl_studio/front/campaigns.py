@@ -9,7 +9,8 @@ import hashlib
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import AbstractContextManager, closing, nullcontext
-from dataclasses import asdict, dataclass, replace
+from dataclasses import asdict, dataclass, field, replace
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -18,6 +19,7 @@ from smsl_studio.blueprint.configuration import Hierarchy
 from smsl_studio.blueprint.edges import Edges
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.errors import UsageError, did_you_mean
+from smsl_studio.front.campaign_batch import Judge, SeedBatch
 from smsl_studio.front.campaign_part import CampaignPart
 from smsl_studio.front.campaign_runs import (
     CampaignRun,
@@ -100,13 +102,20 @@ class CampaignRow:
 
 @dataclass(frozen=True, slots=True)
 class Campaign:
-    """The result of a campaign. ``left_out`` are faults whose parameters nobody can choose."""
+    """The result of a campaign. ``left_out`` are faults whose parameters nobody can choose.
+
+    ``made`` counts the runs whose bytes were made from those of another seed, in the table world,
+    and ``alone`` says why others there were carried out one by one. Equal campaigns may differ in
+    both.
+    """
 
     runs: int
     reached: int
     digest: str
     rows: tuple[CampaignRow, ...]
     left_out: tuple[str, ...] = ()
+    made: int = field(default=0, compare=False)
+    alone: str = field(default="", compare=False)
 
     def as_json(self) -> dict[str, Json]:
         """Return the result as plain values."""
@@ -144,14 +153,18 @@ def campaign(request: CampaignRequest, told: Told = lambda _done, _all: None) ->
             f"these are {len(injections) * request.seeds:,} runs, and {MOST:,} are the most",
             advice="Take fewer seeds, faults or edges.",
         )
-    verdicts = _verdicts(request, injections, told)
+    # Workers that somebody asks for carry each run out.
+    here = request.world == TABLE and request.workers == 1 and not request.dask
+    batch = SeedBatch(request.blueprint) if here else None
+    verdicts = _verdicts(request, injections, batch, told)
     rows = tuple(_row(injection, own) for injection, own in zip(injections, verdicts, strict=True))
     digest = hashlib.sha256()
     for own in verdicts:
         for one in own:
             digest.update(f"{one.sha256}\n".encode("ascii"))
     runs, reached = sum(row.runs for row in rows), sum(row.reached for row in rows)
-    return Campaign(runs, reached, digest.hexdigest(), rows, left_out)
+    made, alone = (batch.made, batch.alone) if batch is not None else (0, "")
+    return Campaign(runs, reached, digest.hexdigest(), rows, left_out, made, alone)
 
 
 def wilson(reached: int, runs: int, z: float = Z) -> tuple[float, float]:
@@ -163,7 +176,10 @@ def wilson(reached: int, runs: int, z: float = Z) -> tuple[float, float]:
 
 
 def _verdicts(
-    request: CampaignRequest, injections: Sequence[Injection | None], told: Told
+    request: CampaignRequest,
+    injections: Sequence[Injection | None],
+    batch: SeedBatch | None,
+    told: Told,
 ) -> list[list[RunVerdict]]:
     """Return the verdicts of each row, in the order of the seeds."""
     found: list[list[RunVerdict]] = [[] for _ in injections]
@@ -171,6 +187,7 @@ def _verdicts(
     block = request.seeds if request.until is None else BLOCK
     done = 0
     with _pool(request) as pool, closing(CampaignPart(request.part, request.resume)) as part:
+        judge = _judge(request, pool, batch)
         for look, first in enumerate(range(0, request.seeds, block), 1):
             seeds = range(first, min(first + block, request.seeds))
             asked = [
@@ -178,7 +195,7 @@ def _verdicts(
                 for injection in injections
                 for seed in seeds
             ]
-            for number, verdict in enumerate(_judged(request, asked, pool, part)):
+            for number, verdict in enumerate(_judged(request, asked, judge, part)):
                 found[number // len(seeds)].append(verdict)
                 done += 1
                 told(done, every)
@@ -187,10 +204,25 @@ def _verdicts(
     return found
 
 
+def _judge(
+    request: CampaignRequest,
+    pool: CampaignWorkers | CampaignCluster | None,
+    batch: SeedBatch | None,
+) -> Judge:
+    """Return what carries runs out: the workers, or this process, which makes a batch of them."""
+
+    def here(asked: Sequence[CampaignRun]) -> Iterator[RunVerdict]:
+        return (judged(request.blueprint, one) for one in asked)
+
+    if pool is not None:
+        return pool.verdicts
+    return here if batch is None else partial(batch.verdicts, judge=here)
+
+
 def _judged(
     request: CampaignRequest,
     asked: Sequence[CampaignRun],
-    pool: CampaignWorkers | CampaignCluster | None,
+    judge: Judge,
     part: CampaignPart,
 ) -> Iterator[RunVerdict]:
     """Yield the verdicts in the order of ``asked``. What is known from before is not run again."""
@@ -199,11 +231,7 @@ def _judged(
         some = asked[first : first + TOGETHER]
         keys = [part.key(request_of(request.blueprint, one)) for one in some]
         anew = [one for one, key in zip(some, keys, strict=True) if key not in part.known]
-        fresh = (
-            pool.verdicts(anew)
-            if pool is not None
-            else (judged(request.blueprint, one) for one in anew)
-        )
+        fresh = judge(anew)
         for key in keys:
             heed()
             if key not in part.known:
