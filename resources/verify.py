@@ -1,4 +1,4 @@
-"""Checks the evidence in this folder, as README.txt explains."""
+"""Checks this folder, as README.txt explains."""
 import sys; del sys.path[:__name__ == "__main__"]  # no module of this folder is loaded
 import base64, datetime as dt, hashlib, itertools, json, pathlib, tomllib, unicodedata as signs
 NOT_CHECKED = "reception over MQTT or from measures", "costs of routes"; on_measured = lambda *_: 0
@@ -51,14 +51,13 @@ def lines(raw):  # 2 THE LOG: each line has the SHA-256 of all before it
 	sums, seal = dict(count=len(told) - 1, hash=hash.hexdigest()), read(head).signed
 	no(end or head != plain(dict(head=sums, signed=seal) if seal else {"head": sums}))
 	return Map(found[0], head=plain(sums), signed=seal), found[1:]
-def here(s): return s.conf | {b: at for op in s.begun if op.done for b, at in op.new.items()}
-def holds(s, key, v, at, way=()):  # None: unknown, ...: on its way
-	if key in way: return ...
-	if key in s.subs:  # is its sub-SB in ACTIVATING?
-		x, on = s.subs[key], v == s.on[key]; found = terms(s, at | {x: s.ends[x]}, x, way)
-		return not on if False in found else None if None in found else ... if ... in found else on
-	known = s.facts.get(key, s.means[key[0], at[key[0]]][key] if s.began and key not in s.sensed else
-		None); return None if known is None else known == v
+def here(s): return s.conf | {b: at for op in s.ops if op.done for b, at in op.new.items()}
+def holds(s, k, v, at, way=()):  # None: unknown, ...: on its way
+	if k in s.subs and next(s.asked):  # is its sub-SB in ACTIVATING?
+		x, on = s.subs[k], v == s.on[k]; got = k in way and [...] or terms(s, at | {x: s.ends[x]}, x, way)
+		return not on if False in got else None if None in got else ... if ... in got else on
+	got = s.facts.get(k, s.means[k[0], at[k[0]]][k] if s.began and k not in s.sensed else None)
+	return None if got is None else got == v
 def terms(s, at, b, way=()): return [holds(s, k, v, at, way) for k, v in s.means[b, at[b]].items()]
 def lit(s, key, at): return s.means[key[0], at[key[0]]][key] == s.on[key]
 def broken(s, at): return [x for k, x in s.subs.items() if lit(s, k, at) != (at[x] == s.ends[x])]
@@ -77,10 +76,10 @@ def edge(s, a):  # what an operation changes
 	op.crossed = {k for k, x in s.subs.items() if [was[x], (was | op.new)[x]].count(s.ends[x]) == 1}
 	op.along = diff | {key for key in s.subs if key[0] in {*op.new} - {b}}; return op
 def due(of): return [op for op in of if op.needs and not op.how]
-def way(s): return {key for op in s.begun for key in op.crossed if due(s.begun)}
+def way(s): return {key for op in s.ops for key in op.crossed if due(s.ops)}
 def hazards(s): return {h for h in s.hazards if all(holds(s, *f, here(s)) for f in s.hazards[h])}
 def safe(s): no(hazards(s) - s.met)
-def ops(s, a): return [op for op in s.begun if op.a == a]
+def ops(s, a): return [op for op in s.ops if op.a == a]
 WORDS = """ask - end - give_back - pause - step - veto - accept given_back adopt relocalised? reset
 	reset prune operation_pruned restore operation_restored resume resumed stop stopped take_over
 	taken_over answer task_answered disturb disturbed inject fault_injected full_map - set_cost -
@@ -88,16 +87,16 @@ WORDS = """ask - end - give_back - pause - step - veto - accept given_back adopt
 def take(s, e):  # 3 THE STORY: may this event come?
 	for k, v in e.items(): (k, v, e.by) == ("value", None, {}) or fits(k, v)
 	e.a, kind, at, c = e.address, e.event, s.conf, s.cause; ours = c.effect.strip("?") == kind
-	waits = s.start or s.begun or s.tasks or s.latch or s.held or s.paused or s.hand or not s.began
+	waits = s.start or s.ops or s.tasks or s.latch or s.held or s.paused or s.hand or not s.began
 	no(s.over or not s.t <= e.t <= s.end or e.t > s.t and not (waits or {*s.goals.values()} &
-		{*at.items()}) or s.start and kind not in "left_out measured fact_changed state_checked" )
+		{*at.items()}) or s.start and kind not in "left_out measured fact_changed state_checked")
 	no((kind in WORDS) > ours or ours and any(c[k] != e[k] for k in {"t", "by", "address"} & {*e}))
 	no(c.effect > "-" and not (ours or c.refused) and (e.t > c.t or kind in "commanded run_finished"))
-	s.again, s.t, s.bar = s.last.event == kind, e.t, s.bar | e.closed; globals()["on_" + kind](s, e)
-	c.effect *= not ours; s.veto = s.veto if s.conf == at else ()
-	if kind in "held mismatch relocalised stopped taken_over": s.begun = s.moved = s.acts = s.bad = ()
+	s.again, s.t, s.bar, s.asked = s.last.event == kind, e.t, s.bar | e.closed, iter(range(1, 10**5))
+	globals()["on_" + kind](s, e); c.effect *= not ours; s.veto = s.veto if s.conf == at else ()
+	if kind in "held mismatch relocalised stopped taken_over": s.ops = s.moved = s.acts = s.bad = ()
 	if kind not in "measured fact_changed costs_changed " + END: s.busy = e.t
-	if kind != "measured": s.last, s.checked = e, s.checked if kind == "state_checked" else {}
+	if kind != "measured": s.last, s.seen = e, s.seen if kind == "state_checked" else {}
 def on_within(s, e):  # the story of what it runs
 	op, below = ops(s, e.operation)[-1], read(raw := e.told.encode()); runs = op.note.binding
 	op.below = op.below or story(s.known, s.h.procedures[runs.blueprint], Map(s.h, goals=[runs.goal],
@@ -120,42 +119,42 @@ def on_state_checked(s, e):  # as the facts say
 	no((e.a, len(e.misses), len(e.unknown), e.result) != (text(*place), seen.count(False),
 		seen.count(None), "false" if False in seen else "unknown" if None in seen else "true"))
 	if s.start: return no(([*s.start][0], s.start.pop(b), e.result) != (b, state, "true"))
-	no(s.acts or s.bad or b in s.checked or not any(op.new.get(b) == state for op in s.begun) or way(s)
-		- {key for op in s.begun for key in op.along}); s.bad = e.result != "true"
-	if not s.bad: safe(s); s.checked[b] = state
-	for op in s.begun: op.done = op.done or op.to == place and not s.bad
+	no(s.acts or s.bad or b in s.seen or not any(op.new.get(b) == state for op in s.ops) or way(s)
+		- {key for op in s.ops for key in op.along}); s.bad = e.result != "true"
+	if not s.bad: safe(s); s.seen[b] = state
+	for op in s.ops: op.done = op.done or op.to == place and not s.bad
 def on_route_planned(s, e):  # from here to the goal
 	at, s.plan, s.free, s.ask = s.conf, e.operations, 0, 0; no(s.again or not s.plan)
 	for op in (edge(s, one) for one in s.plan): no(at[op.b] != op.was); at = at | op.new
 	no(e.goal != "a state without failure" and s.goals[e.goal] not in at.items())
 def on_operation_started(s, e):  # where its SB is, if people let it
-	a, op, now, rest = e.a, edge(s, e.a), here(s), s.begun; op.code = e.function
+	a, op, now, rest = e.a, edge(s, e.a), here(s), s.ops; op.code = e.function
 	s.free, on, seen = s.free or s.ask == a, s.plan[:1] == [a], terms(s, now, op.b, way(s))
 	bound = s.h.grounds.functions[op.b]; no(bound and e.function not in ("", *bound.values()))
 	no(op.to[1] != e.target or now[op.b] != op.was or a in s.shut or s.bar.get(a) or s.bad)
 	no(not s.free and (not on or s.paused or a in s.veto) or False in seen or None in seen and not rest
 		or s.acts and not s.again or any((o.how or o.b == op.b) and not o.done for o in rest))
-	safe(s); yes, go = (s.said.pop((kind, a), "  ")[1] for kind in ("confirm", "supervise"))
-	no(bool(e.function) != bool(op.needs and op.level != "human") or go != "go_on" and level(s,
-		"supervision") == "human" and not (rest or s.free or op.b in s.based))
-	no(yes != "confirm" and (op.level == "shared" or op.note.confirm) or not all(key[0] in s.moved or
-		holds(s, key, v, now) for key, v in facts(op.note.requires).items()))
-	no(s.tasks or s.latch); s.begun, s.plan, s.acts, s.held, s.ask = [*rest, op], s.plan[on:], 1, 0, 0
+	safe(s); yes, go = (s.said.pop((kind, a), "  ") for kind in ("confirm", "supervise"))
+	no(bool(e.function) == (not op.needs or op.level == "human") or go[1] != "go_on" and not (rest or
+		s.free or op.b in s.based) and (go[0] == s.t or level(s, "supervision") == "human"))
+	no(yes[1] != "confirm" and (op.level == "shared" or op.note.confirm) or not all(key[0] in s.moved
+		or holds(s, key, v, now) for key, v in facts(op.note.requires).items()))
+	no(s.tasks or s.latch); s.ops, s.plan, s.acts, s.held, s.ask = [*rest, op], s.plan[on:], 1, 0, 0
 def on_operation_ended(s, e):  # once, and the one before was checked
 	op, bad, s.acts = ops(s, e.a)[-1], e.outcome != "returned", 0; no(op.how or s.bad)
 	no(e.outcome not in "returned failed raised timed_out cancelled lost".split())
 	no(e.outcome != "cancelled" and not (op.code or op.answer) or any(o.how and not o.done for o in
-		s.begun) or not bad and (op.answer != "done" and (op.answer or s.t <= op.t) or "blueprint" in
+		s.ops) or not bad and (op.answer != "done" and (op.answer or s.t <= op.t) or "blueprint" in
 		op.note.binding and op.code and op.below.over != END)); op.how, s.bad = e.outcome, bad
-def on_committed(s, e):  # ended well, checked, as bases say
-	done = [s.begun.pop(s.begun.index(ops(s, a)[0])) for a in e.operations]
+def on_committed(s, e):  # checked, as bases say
+	done = [s.ops.pop(s.ops.index(ops(s, a)[0])) for a in e.operations]
 	new = {b: at for op in done for b, at in op.new.items()}
 	no(not done or s.bad or s.last.t != s.t or e.configuration != new or due(done) or new.items() -
-		s.checked.items() or broken(s, s.conf | new))
+		s.seen.items() or broken(s, s.conf | new))
 	s.conf, s.moved, s.count = s.conf | new, {*s.moved, *new}, s.count + len(done); safe(s)
-	if not (s.begun or {*new} & {*s.based, *(b for b, _ in s.subs)}): s.free = s.moved = ()
+	if not (s.ops or {*new} & {*s.based, *(b for b, _ in s.subs)}): s.free = s.moved = ()
 def on_operation_risky(s, e): no(s.last.reason != e.reason if s.again else not (s.bad and ops(s,
-	e.a)) or (s.last.message or "") not in e.reason); s.begun = ()
+	e.a)) or (s.last.message or "") not in e.reason); s.ops = ()
 def on_operation_pruned(s, e): s.shut |= {e.a}
 def on_operation_restored(s, e): s.shut, s.veto = s.shut - {e.a}, ()
 def on_mismatch(s, e): no(not e.facts[:1]); s.only = e.candidates
@@ -166,7 +165,7 @@ def on_relocalised(s, e):  # where the facts say, if it may
 		s.conf or not moved[1:] and {*moved} <= s.based); no(s.acts or s.again or broken(s, at))
 	s.facts, s.only = {k: v for k, v in s.facts.items() if v or not s.began or k in s.sensed}, 0
 	no(not (may and all(all(terms(s, at, b)) for b in s.sbs | at))); s.conf, s.held = at, 0
-def arrived(s): no(not s.began or s.begun or s.held or s.latch or s.busy >= s.t or any(False in
+def arrived(s): no(not s.began or s.ops or s.held or s.latch or s.busy >= s.t or any(False in
 	terms(s, s.conf, b) for b in s.conf) or {s.goals[g] for g in s.told} - {*s.conf.items()})
 def on_goal_reached(s, e): no([*s.goals][len(s.told)] != e.goal or not all(terms(s, s.conf,
 	s.goals[e.goal][0]))); s.told = [*s.told, e.goal]; arrived(s); safe(s)
@@ -177,7 +176,7 @@ def on_commanded(s, e):  # what somebody wants
 	no(not e.by or e.value and e.command not in WORDS[-12::2]); s.end = e.t if word == "end" else s.end
 	if e.refused and e.command != "answer" and "world is gone" not in e.refused: e.effect = ""
 	if word in ("resume", "step"): s.paused, s.veto = 0, () if s.held else s.veto
-	if word == "veto" and not s.begun: s.veto = *s.veto, e.a
+	if word == "veto" and not s.ops: s.veto = *s.veto, e.a
 	s.hand |= word in "ask step stop set_automatic set_cost"; s.ask = e.a if word == "ask" else s.ask
 def on_subs_bypassed(s, e): no({*edge(s, e.a).new} ^ {parts(e.a)[0], *e.subs})
 def on_disturbed(s, e): no(s.cause.value != (e.fault or f"{e.target} {e.kind}"))
@@ -190,8 +189,8 @@ on_costs_changed = on_operation_refused = on_risk_estimated = on_forecast = on_m
 HOLDS = {*"held no_route guard_lost goal_unconfirmed hazard".split()}; on_resumed = on_paused
 on_taken_over, on_given_back, on_fault_injected = on_stopped, on_reset, on_disturbed
 def on_task_opened(s, e):  # whom the blueprint names
-	its = Map() if e.kind == "start" else s.notes[fact(e.a)] if e.kind == "fact" else edge(s, e.a).note
-	roles = e.kind != "supervise" and its[e.kind if e.kind == "confirm" else "roles"] or [""]
+	its = Map() if e.kind[0] == "s" else s.notes[fact(e.a)] if e.kind == "fact" else edge(s, e.a).note
+	roles = its[e.kind if e.kind == "confirm" else "roles"] or [""]
 	no(e.task in s.names or e.role != ", ".join(filter(None, roles)) or e.persons != len(roles))
 	if no(not e.options) or e.kind == "operation": ops(s, e.a)[-1].answer = "open"
 	s.tasks[e.task], s.names = Map(e, roles=roles, given={}, also=""), {*s.names, e.task}
@@ -220,7 +219,7 @@ def on_run_finished(s, e):  # for a reason that was told
 	ends = {"no_route": told and kind == r, "failed": told and not late and s.last.event == kind ==
 		"held", "stopped": cut or s.latch == r and why.startswith(f"Stopped by {s.by}.")}
 	ends |= {"held": told and kind != "no_route" or "nobody is there to " in why, "refused": not
-		(s.count or s.begun) and (not s.began or ("start", "") in s.said), END: s.told == [*s.goals] and
+		(s.count or s.ops) and (not s.began or ("start", "") in s.said), END: s.told == [*s.goals] and
 		why.startswith(", ".join(s.told) + " hold")}; no(not ends[r]); s.over = r; r == END and arrived(s)
 def story(known, of, h, at): return Map(known[of], known=known, h=h, at=at, shut={*h.avoid},
 	tasks={}, plan=(), met=set(), last=Map(t=0), cause=Map(effect=""), t=0, end=2**53, hand=0, count=0)
@@ -273,9 +272,10 @@ def judge(known, h, of, day=0, bot={"automatic", "recorder"}):  # why it is not 
 		ask = [a for a in ask if (a[0] != who or say.met) and not (last[who] and a[1] in say.met and a[2]
 			& may)]; ask += [(who, text, may) for text in say.conditions if last[who]]
 	seats = [same(role) for role, n in p.roles.items() for _ in range(min(n, 99))]
-	ok = [*filter(None, last.values())]; few = len(ok) < p.persons or not each(seats, ok)
-	if few or "rejected" in ok: return "rejected" if "rejected" in ok else "too few sign"
-	return ", ".join("a condition is open: " + t for w, t, _ in ask if last[w] and t not in h.met)
+	ok = [*filter(None, last.values())]; bad = "rejected" in ok and "rejected"
+	if bad or len(ok) < p.persons or not each(seats, ok): return bad or "too few sign"
+	return ", ".join("a condition is open: " + t for w, t, _ in ask if last[w] and (t not in h.met or
+		t != "world = " + h.world and t[:6] not in "sensor superv until "))
 def files(way): return sorted(p for p in pathlib.Path().glob(way) if p.is_file() > p.is_symlink())
 def load(n): p = pathlib.Path(n); return p.read_bytes() if p.is_file() > p.is_symlink() else b""
 def main():  # 5 THE FOLDER
@@ -291,7 +291,7 @@ def main():  # 5 THE FOLDER
 		for h in logs]; page = load("report.html")
 	tried("report.html", no, page and sha(page).encode() not in load("README.txt"))
 	for log in (logs or [Map()]) * bool(records or files("policy.toml")):
-		for one in log.about or [c for c in known if load(known[c].record)] or known:
+		for one in log.about or [c for c in known if load(known[c].record)] or known or ["content"]:
 			tried("records", lambda: no(why := judge(known, log, one), why))
 	said += ["No log."] * (not logs) + ["No policy: one signature counts."] * (not load("policy.toml"))
 	said += ["No record: nobody has approved this blueprint."] * (not records)

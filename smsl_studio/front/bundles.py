@@ -71,6 +71,7 @@ head of a log.
 
 How things stand: here says where everything is, with what has been done and is not committed
 yet. holds says whether a fact has a value, terms asks all facts of a state: this is a state check.
+For one event at most 99,999 sub-SBs are asked, so that no blueprint makes it endless.
 lit says whether a fact of a base is on, broken names the sub-SBs that disagree with a base, placed
 says where a sub-SB stands at a start. level says who acts. edge is an operation of the blueprint
 and what it changes: facts go along with it, and it crosses sub-SBs. due names the
@@ -93,10 +94,12 @@ kinds.
 The records: when reads a time. trusted reads the policy, whose numbers must be possible, and whose
 keys count, ring names keys by their sums, opened checks a signature. void: a key or a record is
 revoked, or not valid at that time. recorder says who has signed the head of a log. judge counts
-the last word of each person, in the order of signing, and asks who has met each condition.
+the last word of each person, in the order of signing, and asks who has met each condition: a run
+can only have asked those about its world, a sensor, a supervisor or a day. The others are signed.
 
 The folder: files and load find what is a file and no link, main checks everything. A file that is
-absent, or a link, counts as empty.
+absent, or a link, counts as empty. What is checked stands in content/. The files in blueprint/ are
+those that the header of a log names by their sums; nothing compares them with content/.
 """
 
 

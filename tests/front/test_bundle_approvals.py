@@ -194,6 +194,33 @@ def test_a_log_that_names_no_sum_of_its_file_is_refused(digest: Json) -> None:
     assert not is_believed({**whole(), LOG: story.raw()})
 
 
+@pytest.mark.parametrize(
+    ("condition", "asked"),
+    [
+        ("world = table", True),
+        ("world = hanoi", False),
+        ("world = table or so", False),
+        ("supervisor present", True),
+        ("sensor DOOR/0 at 10 Hz", True),
+        ("until 2099-01-01", True),
+        ("the drill is calibrated", False),
+    ],
+)
+def test_a_run_can_only_have_asked_what_a_program_can_ask(
+    condition: str, asked: bool, tmp_path: Path
+) -> None:
+    signed = {RECORD: door_records(tmp_path, conditions=[condition])}
+    story = Story.of(whole()[LOG])
+    assert not is_believed({**whole(), LOG: story.raw(), **signed}), "it is open"
+    story.events[0]["met"] = [condition]
+    assert is_believed({**whole(), LOG: story.raw(), **signed}) == asked
+
+
+def test_a_bundle_with_records_and_without_content_is_refused() -> None:
+    left = {name: raw for name, raw in whole().items() if not name.startswith("content/")}
+    assert not is_believed({name: raw for name, raw in left.items() if name != LOG})
+
+
 @pytest.mark.parametrize("verdict", ["Rejected", "x", 5, True, ["approved"]])
 def test_a_verdict_that_is_none_approves_nothing(verdict: Json) -> None:
     envelope = json.loads(whole()[RECORD])["records"][1]

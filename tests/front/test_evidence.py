@@ -12,6 +12,7 @@ import zipfile
 from collections import Counter
 from collections.abc import Iterable, Iterator
 from copy import deepcopy
+from itertools import product
 from pathlib import Path
 from random import Random
 from typing import Any
@@ -235,6 +236,55 @@ def test_a_command_without_a_value_says_none(runs: list[ToldRun]) -> None:
                 assert told_again(story.raw(), run.blueprint), word
                 tried += 1
     assert tried
+
+
+@pytest.mark.parametrize("answer", ["go_on", "veto", "prune", "pause"])
+def test_an_operation_begins_only_if_the_answer_lets_it(answer: str, tmp_path: Path) -> None:
+    blueprint = smsl.read(samples_dir() / "hanoi-2.json")
+    smsl.run(blueprint, log=tmp_path / "run.jsonl")
+    story = Story.of((tmp_path / "run.jsonl").read_bytes())
+    at = story.at("operation_started")[0]
+    task = {"t": story.events[at]["t"], "task": "task-1"}
+    who = {"by": "Ada", "role": "", "refused": ""}
+    options = ["go_on", "veto", "prune", "pause"]
+    asked = {"kind": "supervise", "address": story.events[at]["address"], "question": "?"}
+    story.events[at:at] = [
+        {"event": "task_opened", **task, **asked, "options": options, "role": "", "persons": 1,
+         "deadline": task["t"] + 120.0},
+        {"event": "commanded", "t": task["t"], "command": "answer", "by": "Ada", "address": "",
+         "value": "task-1", "reason": "", "refused": ""},
+        {"event": "task_answered", **task, **who},
+        {"event": "task_closed", **task, "outcome": "answered", "answer": answer,
+         "answers": {"Ada": answer}},
+    ]  # fmt: skip
+    assert bool(told_again(story.raw(), blueprint)) == (answer != "go_on")
+
+
+def test_sub_sbs_that_many_share_do_not_make_it_endless(tmp_path: Path) -> None:
+    """Each of 20 levels has two SBs below each of its two: 2^20 ways lead to the lowest."""
+    values: dict[str, Json] = {}
+    for level, name in product(range(20), "AB"):
+        subs = {f"A{level + 1}": 0, f"B{level + 1}": 1} if level < 19 else {}
+        header = {"INITIAL": "S00", "ACTIVATING": "S11", "NUM_FACTS": 2, "SUB_SBS": subs}
+        values[f"{name}{level}"] = {"HEADER": header, "S00": {"go": "S11"}, "S11": {"back": "S00"}}
+    (tmp_path / "deep.json").write_text(json.dumps(values))
+    blueprint = smsl.read(tmp_path / "deep.json")
+    smsl.run(blueprint, log=tmp_path / "run.jsonl")
+    story, texts = Story.of((tmp_path / "run.jsonl").read_bytes()), content_texts(blueprint)
+    whole = json.loads(texts["behaviour"]) + json.loads(texts["brought"])
+    start = dict.fromkeys(values, "S00")
+    goals = ["A0/S11", "B0/S11"]
+    leaves = list(product(("A19", "B19"), (0, 1)))
+    checked = {"address": "A0/S00", "result": "true", "misses": [], "unknown": []}
+    digest = sha256_hex(json.dumps(whole, separators=(",", ":")).encode())
+    story.events[:] = [
+        {"event": "run_started", "t": 0.0, "world": "table", "seed": 0, "start": start,
+         "goals": goals, "behaviour": digest, "sensed": [f"{b}/{n}" for b, n in leaves]},
+        *({"event": "fact_changed", "t": 0.0, "branch": b, "digit": n, "value": "0", "reason": ""}
+          for b, n in leaves),
+        {"event": "state_checked", "t": 0.0, **checked},
+    ]  # fmt: skip
+    assert "state_checked" in told_again(story.raw(), blueprint)
 
 
 def test_a_command_has_a_text_for_its_value(runs: list[ToldRun]) -> None:
