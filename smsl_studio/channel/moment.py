@@ -77,7 +77,7 @@ def read_samples(frame: Frame, time: float) -> tuple[ToldSample, ...]:
 
 def sample_frame(sample: ToldSample) -> dict[str, Any]:
     """Return a sample as an object of an answer."""
-    return dict(zip(ToldSample._fields, sample, strict=True))
+    return dict(zip(ToldSample.__annotations__, sample, strict=True))
 
 
 def _sample(frame: Frame, now: float) -> ToldSample:
