@@ -8,7 +8,7 @@ from dataclasses import replace
 from datetime import UTC, datetime
 from pathlib import Path
 
-from smsl_studio.errors import SaveError, UsageError
+from smsl_studio.errors import SaveError, SealError, UsageError
 from smsl_studio.inspection.approval.audit_log import append_act
 from smsl_studio.inspection.approval.key_store import (
     StoredKey,
@@ -140,7 +140,7 @@ def import_key(file: Name, key_id: str = "") -> StoredKey:
 
     If there is no register, signatures of this key count from now on, with the person and role in
     the file. So compare its identity with what its owner tells you. SealError if the file is no
-    key.
+    key, or if it says that the key is revoked: anybody can write that into a file.
 
     >>> made = make_key("L. Brandt", "engineer", b"a passphrase")
     >>> _ = export_key(made.id, "brandt.key.json")
@@ -149,6 +149,12 @@ def import_key(file: Name, key_id: str = "") -> StoredKey:
     """
     values = read_strictly(read_content(file).raw, os.fspath(file))
     key = key_of_file(values)
+    if key.revoked:
+        raise SealError(
+            f"{os.fspath(file)} says that its key is revoked, and a file cannot revoke a key",
+            advice="To revoke a key of this store: smsl-studio keys revoke. No other key is taken "
+            "in that does not count any more.",
+        )
     with store_alone():
         known = stored_keys()
         same = next((one for one in known.values() if one.public == key.public), None)
@@ -168,7 +174,7 @@ def import_key(file: Name, key_id: str = "") -> StoredKey:
 
 
 def _joined(mine: StoredKey, other: StoredKey) -> StoredKey:
-    """Return a key of the store, completed by a file: with its private half and its revocation."""
+    """Return a key of the store, completed by a file: with its private half."""
     if (mine.person, mine.role) != (other.person, other.role):
         raise UsageError(
             f"this key is in your store as {mine.id}, of {mine.person} ({mine.role}), and the file "
@@ -176,7 +182,7 @@ def _joined(mine: StoredKey, other: StoredKey) -> StoredKey:
             advice="A key has one person and one role. Ask its owner.",
         )
     box = mine.box if mine.box is not None else other.box
-    return replace(mine, box=box, revoked=mine.revoked or other.revoked)
+    return replace(mine, box=box)
 
 
 def sign_register(persons: Name, key: str, passphrase: bytes, output: Name) -> StoredKey:

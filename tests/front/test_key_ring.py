@@ -54,3 +54,17 @@ def test_a_copy_under_another_name_is_the_same_key(home: Path, tmp_path: Path) -
     assert smsl.import_key(tmp_path / "ada.pub", "other") == made, "it keeps its name and its half"
     smsl.revoke_key("ada", "lost", WORDS)
     assert smsl.import_key(tmp_path / "ada.pub").revoked == "lost"
+
+
+def test_a_file_revokes_no_key_and_brings_no_revoked_one(home: Path, tmp_path: Path) -> None:
+    """Anybody can write such a file, and no passphrase is needed to take it in."""
+    smsl.make_key("Ada", "engineer", WORDS, "ada")
+    file = tmp_path / "ada.pub"
+    smsl.export_key("ada", file)
+    file.write_text(file.read_text().replace('"revoked": ""', '"revoked": "because"'))
+    with pytest.raises(SealError, match="a file cannot revoke a key"):
+        smsl.import_key(file)
+    assert [one.revoked for one in smsl.list_keys()] == [""]
+    file.write_text(file.read_text().replace('"ada"', '"other"').replace('"Ada"', '"Eve"'))
+    with pytest.raises(SealError, match="a file cannot revoke a key"):
+        smsl.import_key(file)
