@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import io
 import os
+import unicodedata
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import PurePath
 from zipfile import ZIP_STORED, ZipFile, ZipInfo
@@ -23,6 +24,9 @@ from smsl_studio.smsl.files import save_document
 Name = str | os.PathLike[str]
 _DAY = (1980, 1, 1, 0, 0, 0)
 """Every file in a bundle has this time, so that equal input gives equal bytes."""
+_ODD = {"Cc", "Cf", "Cs", "Zl", "Zp"}
+"""Kinds of characters that stand in no name: those for control, halves of characters, ends of
+lines. The kinds are those of Unicode."""
 _README = """\
 This is evidence about runs of a blueprint. It can be checked without the program that wrote it:
 
@@ -160,10 +164,11 @@ def _names(blueprint: Blueprint) -> dict[Document, str]:
     paths = [path for path, _ in named if stored_place(path) is None] or [named[0][0]]
     folder = os.path.commonpath([os.path.dirname(path) for path in paths])  # noqa: PTH120
     names: dict[Document, str] = {}
+    taken: set[str] = set()
     for path, document in named:
         place = None if path in paths else stored_place(path)
         way = os.path.relpath(path, folder) if place is None else f"store/{place.name[6:]}"
-        names[document] = _plain(PurePath(way).as_posix())
+        names[document] = _free(_plain(PurePath(way).as_posix()), taken)
     return names
 
 
@@ -186,21 +191,37 @@ def _path(document: Document) -> str:
 
 
 def _plain(name: str) -> str:
-    """Return a name that a zip can hold. Characters that UTF-8 cannot write become escapes."""
-    return name.encode("utf-8", "backslashreplace").decode("utf-8")
+    """Return a name that means the same file wherever a zip is unpacked.
+
+    A backslash would be a folder on some systems. Like control characters and what UTF-8 cannot
+    write, it becomes a number: ``%5c``.
+    """
+    return "".join(f"%{ord(char):02x}" if _is_odd(char) else char for char in name)
+
+
+def _is_odd(char: str) -> bool:
+    return char == "\\" or unicodedata.category(char) in _ODD
+
+
+def _free(name: str, taken: set[str]) -> str:
+    """Return a name that no file before has. Two names may become plain in the same way."""
+    while name in taken:
+        name = f"{name}%"
+    taken.add(name)
+    return name
 
 
 def _log_files(logs: Sequence[str]) -> Iterator[tuple[str, bytes]]:
     """Yield each log with a name that no other log has."""
     taken: set[str] = set()
     for log in logs:
-        stem, number = PurePath(log).stem or "log", 1
+        stem, number = _plain(PurePath(log).stem) or "log", 1
         name = f"{stem}.jsonl"
         while name.casefold() in taken:
             number += 1
             name = f"{stem}-{number}.jsonl"
         taken.add(name.casefold())
-        yield f"logs/{_plain(name)}", bytes_of(log, "run log")
+        yield f"logs/{name}", bytes_of(log, "run log")
 
 
 def _zipped(files: Mapping[str, bytes]) -> bytes:
