@@ -36,7 +36,7 @@ from smsl_studio.inspection.approval.record_file import (
 from smsl_studio.inspection.approval.refusal import Refusal
 from smsl_studio.inspection.approval.rule_code import rule_codes
 from smsl_studio.inspection.approval.rule_scores import rule_scores
-from smsl_studio.inspection.approval.seen_index import is_followed
+from smsl_studio.inspection.approval.seen_index import COPY, copied_from, is_followed
 from smsl_studio.inspection.approval.seen_records import keep_record, newest_seen
 from smsl_studio.inspection.approval.statement import (
     APPROVED,
@@ -56,7 +56,7 @@ from smsl_studio.inspection.approval.store_files import store_alone
 from smsl_studio.inspection.approval.times import end_of, written_time
 from smsl_studio.inspection.rules.finding import Finding, Severity
 from smsl_studio.smsl.files import save_document
-from smsl_studio.smsl.inputs import NOTHING, seen_at
+from smsl_studio.smsl.inputs import seen_at
 
 Name = str | os.PathLike[str]
 VERDICTS = (APPROVED, CONDITIONS, REJECTED)
@@ -151,6 +151,8 @@ def approve(request: ApprovalRequest) -> SignedApproval:
     present = record_in(asked.record_file)
     former = _former(present, asked.record_file)
     last = _last_of(asked, key, former)
+    copied = copied_from(last.digest, asked.blueprint.file) if last else ""
+    follows = _followed_by(last, former, asked.blueprint.file, copied)
     _check_clock(asked.now, (*former, *([last] if last else [])))
     parts = list(parts_of(asked.blueprint))
     relied = _relied(asked, parts)
@@ -196,15 +198,17 @@ def approve(request: ApprovalRequest) -> SignedApproval:
         time=written_time(asked.now),
         expires=_expiry(asked),
         content={name: content_of(part) for name, part in parts},
-        follows=_followed_by(last),
+        follows=follows,
     )
     statement = statement_of([signed_file(*part) for part in parts], predicate)
     envelope = sign(PAYLOAD_TYPE, statement.payload())
     record = SignedRecord.of(envelope)
     raw = written_record_file([*(one.envelope for one in former), envelope])
     with store_alone():
-        save_document(raw, asked.record_file, None if before == NOTHING else before)
-        keep_record(record, name_of(key.person), asked.blueprint.file)
+        save_document(raw, asked.record_file, before)
+        behind = last.digest if last else ""
+        copy = dict(zip(COPY, (copied, behind), strict=True)) if copied else {}
+        keep_record(record, name_of(key.person), asked.blueprint.file, copy)
         append_act(
             asked.now,
             "approve",
@@ -244,13 +248,19 @@ def _last_of(
     return max(both, key=lambda one: one.statement.time, default=None)
 
 
-def _followed_by(last: SignedRecord | None) -> str | None:
+def _followed_by(
+    last: SignedRecord | None, former: Sequence[SignedRecord], file: str, copied: str
+) -> str | None:
     """Return the digest of the record that a new one follows, if there is one.
 
     A copy of what was signed, changed and signed again elsewhere begins a chain of its own: a
-    second record behind the same one would count as an older one at once.
+    second record behind the same one would count as an older one at once. So does a copy without
+    the record, because a chain is that of one file.
     """
-    return None if last is None or is_followed(last.digest) else last.digest
+    if last is None or is_followed(last.digest, file):
+        return None
+    own = any(one.digest == last.digest for one in former)
+    return None if copied and not own else last.digest
 
 
 def _check_clock(now: datetime, before: Iterable[SignedRecord]) -> None:

@@ -119,6 +119,7 @@ def _answered(question: ApprovalQuestion, trust: TrustFiles, record: RecordFile)
         _present(question, trust, record, found),
         _asking(question, found),
         _Parts(question, trust).uncovered,
+        os.path.realpath(question.blueprint.file),
     )
     judgement = _with_procedures(judge(case), question, trust)
     _keep(question, judgement)

@@ -16,7 +16,7 @@ from typing import BinaryIO
 from smsl_studio.errors import FileChanged, UsageError
 from smsl_studio.smsl.disk import short, write_new
 from smsl_studio.smsl.document.limits import LARGEST_FILE
-from smsl_studio.smsl.inputs import Seen, seen_at
+from smsl_studio.smsl.inputs import NOTHING, Seen, seen_at
 from smsl_studio.smsl.traits import traits_of
 
 _APPEND = os.O_WRONLY | os.O_APPEND | os.O_CREAT
@@ -29,13 +29,15 @@ def replace_file(target: Path, raw: bytes, over: Seen | None, shown: str) -> Non
     """Write these bytes to ``target`` (a real path), completely or not at all (OSError).
 
     ``over`` is the file that the writer has seen there. FileChanged, with the name ``shown``, if
-    another file or other bytes are there right before the replacement. None replaces any file.
+    another file or other bytes are there right before the replacement. If it is ``NOTHING``, of
+    several writers at the same moment only the first one writes. None replaces any file.
     """
     traits = traits_of(target)
     fresh = target.with_name(f".{short(target.name)}.{os.urandom(6).hex()}.part")
     try:
         write_new(fresh, raw, traits)
-        put(fresh, target, over, shown)
+        if not (over == NOTHING and _put_first(fresh, target, shown)):
+            put(fresh, target, over, shown)
     except BaseException:
         with suppress(OSError):
             fresh.unlink()
@@ -57,6 +59,21 @@ def put(fresh: Path, target: Path, over: Seen | None, shown: str) -> None:
         os.replace(source, goal)  # noqa: PTH105 -- right after the check
     else:
         raise FileChanged(shown)
+
+
+def _put_first(fresh: Path, target: Path, shown: str) -> bool:
+    """Put a new file where none is, in one step. FileChanged if there is one.
+
+    False if the file system cannot do this; then nothing has happened.
+    """
+    try:
+        target.hardlink_to(fresh)
+    except FileExistsError:
+        raise FileChanged(shown) from None
+    except OSError:  # a file cannot have two names here
+        return False
+    fresh.unlink()
+    return True
 
 
 def refuse_inputs(target: Path, shown: str, inputs: Inputs) -> None:

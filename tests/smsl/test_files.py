@@ -6,12 +6,15 @@ import errno
 import os
 import subprocess
 import sys
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
+from threading import Barrier
 
 import pytest
 
-from smsl_studio.errors import SaveError
+from smsl_studio.errors import FileChanged, SaveError
 from smsl_studio.smsl.files import read_document, save_document
+from smsl_studio.smsl.inputs import NOTHING
 from smsl_studio.smsl.json_form import parse_json, write_json
 
 NEW = parse_json(write_json({"SB1": {f"State{n}": {} for n in range(100)}}), "new.json")
@@ -140,3 +143,37 @@ def test_a_kill_in_mid_save_loses_nothing(target: Path) -> None:
         values = read_document(target).values
         assert len(values["SB"]) == 4000
         assert len({str(state) for state in values["SB"].values()}) == 1
+
+
+def test_of_several_writers_of_a_new_file_only_the_first_writes(tmp_path: Path) -> None:
+    writers, start = 4, Barrier(4)
+
+    def saved(path: Path, number: int) -> int | None:
+        start.wait()
+        try:
+            save_document(f"{number}", path, NOTHING)
+        except FileChanged:
+            return None
+        return number
+
+    with ThreadPoolExecutor(writers) as pool:
+        for count in range(40):
+            path = tmp_path / f"{count}.json"
+            tries = [pool.submit(saved, path, number) for number in range(writers)]
+            done = [one.result() for one in tries]
+            assert [f"{one}" for one in done if one is not None] == [path.read_text()]
+    assert len(list(tmp_path.iterdir())) == 40, "nothing is left beside them"
+
+
+def test_where_a_file_cannot_have_two_names_a_new_one_is_saved_all_the_same(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def refuse(*names: object, **more: object) -> None:
+        raise OSError(errno.EPERM, "no")
+
+    monkeypatch.setattr(os, "link", refuse)
+    path = tmp_path / "new.json"
+    save_document("1", path, NOTHING)
+    with pytest.raises(FileChanged):
+        save_document("2", path, NOTHING)
+    assert path.read_text() == "1"

@@ -20,12 +20,20 @@ class SeenRecord:
 
     ``key`` is the identity of the signing key, and ``follows`` the digest of the record before it.
     The record counts only if the key is known as a key of the same person. Else a foreign register
-    could make the records of other people look old.
+    could make the records of other people look old. ``file`` is the real path for which it was
+    first seen.
+
+    If the record was signed here in a copy, while the first file still stood, it says nothing about
+    that file: ``apart`` is its real path, and ``behind`` the digest of the record that the copy
+    came from.
     """
 
     key: str
     digest: str
     follows: str | None
+    file: str = ""
+    apart: str = ""
+    behind: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -66,7 +74,8 @@ class ApprovalCase:
     """The records of one blueprint, and everything that is needed to judge them.
 
     ``uncovered`` takes an imported file that the signer did not check. It returns why that file has
-    no valid record of its own, or the empty text if it has one.
+    no valid record of its own, or the empty text if it has one. ``file`` is the real path of the
+    blueprint; empty if it has none.
     """
 
     records: tuple[SignedRecord, ...] | Refusal
@@ -74,3 +83,4 @@ class ApprovalCase:
     present: PresentState
     asking: Asking
     uncovered: Callable[[SignedFile], str]
+    file: str = ""

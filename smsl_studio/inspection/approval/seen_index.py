@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterator, Mapping
+from operator import itemgetter
 from pathlib import Path
 from typing import Any
 
@@ -18,6 +19,8 @@ ENTRY, ENVELOPE = ".json", ".envelope"
 """The suffix of an entry's file, and that of the file beside it with the whole record."""
 
 _TEXTS = ("person", "key", "file", "time", "closure")
+COPY = ("apart", "behind")
+"""What an entry has besides if its record was signed in a copy (see ``SeenRecord``)."""
 
 
 def entries() -> Iterator[tuple[str, Mapping[str, Json]]]:
@@ -42,20 +45,39 @@ def entries() -> Iterator[tuple[str, Mapping[str, Json]]]:
 def newest_entry(file: str, closure: str = "", person: str | None = None) -> str:
     """Return the digest of the newest record that was seen for a file; empty if there is none.
 
-    A record with the same ``closure`` counts, too, wherever its file was. ``person`` limits the
+    If there is none, a record with the same ``closure`` counts, wherever its file was. If that file
+    is gone it was moved, and then its record counts like one for this file. ``person`` limits the
     search to the records of one person.
     """
-    real, best, when = os.path.realpath(file), "", ""
+    real, best, rank = os.path.realpath(file), "", (False, "")
     for digest, one in entries():
-        fits = one["file"] == real or (closure and one["closure"] == closure)
-        if fits and (person is None or one["person"] == person) and one["time"] > when:
-            best, when = digest, one["time"]
+        here = one["file"] == real
+        if not here and not (closure and one["closure"] == closure):
+            continue
+        if person is None or one["person"] == person:
+            found = (here or not os.path.lexists(one["file"]), one["time"])
+            best, rank = max((best, rank), (digest, found), key=itemgetter(1))
     return best
 
 
-def is_followed(digest: str) -> bool:
-    """Return whether a record was seen that comes after this one in the chain of a person."""
-    return any(one["follows"] == digest for _, one in entries())
+def is_followed(digest: str, file: str) -> bool:
+    """Return whether a record was seen that comes after this one in the chain of a person.
+
+    One that was signed in a copy of ``file`` does not count.
+    """
+    real = os.path.realpath(file)
+    return any(one["follows"] == digest and one.get("apart") != real for _, one in entries())
+
+
+def copied_from(digest: str, file: str) -> str:
+    """Return the file of which ``file`` is a copy; empty if it is none.
+
+    It is one if a record was seen for a file at another place that still stands. If nothing stands
+    there, the file was moved.
+    """
+    found = read_stored(records_folder() / f"{digest}{ENTRY}")
+    former = found["file"] if isinstance(found, dict) and _is_entry(found) else ""
+    return former if former != os.path.realpath(file) and os.path.lexists(former) else ""
 
 
 def records_folder() -> Path:
@@ -66,4 +88,5 @@ def records_folder() -> Path:
 def _is_entry(found: Mapping[str, Json]) -> bool:
     follows = found.get("follows")
     texts = all(isinstance(found.get(key), str) for key in _TEXTS)
-    return texts and (follows is None or isinstance(follows, str))
+    copy = all(isinstance(found.get(key, ""), str) for key in COPY)
+    return texts and copy and (follows is None or isinstance(follows, str))

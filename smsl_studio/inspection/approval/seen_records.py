@@ -5,12 +5,14 @@ from __future__ import annotations
 import os
 from collections.abc import Mapping
 from pathlib import Path
+from types import MappingProxyType
 from typing import Any
 
 from smsl_studio.errors import SealError
 from smsl_studio.inspection.approval.case import SeenRecord
 from smsl_studio.inspection.approval.record_file import SignedRecord
 from smsl_studio.inspection.approval.seen_index import (
+    COPY,
     ENTRY,
     ENVELOPE,
     entries,
@@ -22,12 +24,16 @@ from smsl_studio.inspection.approval.store_files import read_stored, store_folde
 from smsl_studio.seal.envelope import read_envelope
 
 Json = Any
+NO_COPY: Mapping[str, str] = MappingProxyType({})
 
 
-def keep_record(record: SignedRecord, person: str, file: str) -> None:
+def keep_record(
+    record: SignedRecord, person: str, file: str, copy: Mapping[str, str] = NO_COPY
+) -> None:
     """Remember that a record was seen for a file. The caller must hold the lock of the store.
 
-    ``person`` is the name of the signer for comparison (see ``name_of``).
+    ``person`` is the name of the signer for comparison (see ``name_of``). ``copy`` has what is
+    known of a copy that was signed (see ``COPY``).
     """
     if has_seen(record.digest):
         return
@@ -43,13 +49,23 @@ def keep_record(record: SignedRecord, person: str, file: str) -> None:
             "follows": said.follows,
             "time": said.time,
             "closure": record.statement.digests.closure,
+            **copy,
         },
     )
 
 
 def seen_records() -> tuple[SeenRecord, ...]:
     """Return all records that were seen."""
-    return tuple(SeenRecord(one["key"], digest, one["follows"]) for digest, one in entries())
+    return tuple(
+        SeenRecord(
+            one["key"],
+            digest,
+            one["follows"],
+            one["file"],
+            *(one.get(key, "") for key in COPY),
+        )
+        for digest, one in entries()
+    )
 
 
 def has_seen(digest: str) -> bool:

@@ -130,13 +130,24 @@ def last_words(signers: Sequence[Signer]) -> list[Signer]:
 
 
 def rolled_back(case: ApprovalCase, one: Signer) -> bool:
-    """Whether the store has seen a later record of this person, or a different one at its place."""
+    """Whether the store has seen a later record of this person, or a different one at its place.
+
+    The chain counts whatever the file is called: it may have been moved. What was signed in a copy
+    says nothing about the file that still stood at its own place. In the copy itself it counts.
+    """
     follows, digest = one.said.follows, one.record.digest
+    copied = next((seen.apart for seen in case.grounds.seen if seen.digest == digest), "")
     for seen in case.grounds.seen:
         key = case.grounds.keys.get(seen.key)
         if key is None or name_of(key.person) != one.person or seen.digest == digest:
             continue
-        if seen.follows == digest or (follows is not None and seen.follows == follows):
+        if seen.apart and seen.apart == case.file:
+            continue
+        here = bool(case.file) and seen.file == case.file
+        if seen.follows == digest or (here and seen.behind == digest):
+            return True
+        elsewhere = bool(copied) and seen.file == copied and not here
+        if follows is not None and seen.follows == follows and not elsewhere:
             return True
     return False
 
