@@ -20,7 +20,7 @@ from smsl_studio.inspection.review.entry import COMMENT
 from smsl_studio.studio.features.people.persons_dialog import PersonsDialog
 from smsl_studio.studio.features.review.comment_dialog import CommentDialog
 from smsl_studio.studio.features.review.comment_view import CommentView
-from smsl_studio.studio.features.review.feature import ReviewFeature
+from smsl_studio.studio.features.review.feature import CHANGED, ReviewFeature
 from smsl_studio.studio.features.review.page import ReviewPage
 from smsl_studio.studio.running.persons import Person as Somebody
 from tests.stories.conftest import Sit
@@ -117,10 +117,10 @@ class Reader:
             QTest.keyClicks(dialog.conditions, line)
             QTest.keyClick(dialog.conditions, Qt.Key.Key_Return)
         assert not conditions or "if the conditions are met" in dialog.meaning.text()
-        for box in dialog.met if met else ():
-            assert box.text() == f"Met: {met}"
-            QTest.keyClick(box, Qt.Key.Key_Space)
-            assert box.isChecked()
+        for switch in dialog.met if met else ():
+            assert switch.accessibleName() == f"Met: {met}"
+            QTest.keyClick(switch, Qt.Key.Key_Space)
+            assert switch.isChecked()
         QTest.keyClicks(dialog.passphrase, PASSPHRASE.decode())
         QTest.keyClick(dialog.passphrase, Qt.Key.Key_Return)
         self.person.qtbot.waitUntil(lambda: not dialog.isVisible(), timeout=120_000)
@@ -370,6 +370,25 @@ def test_a_wrong_passphrase_signs_nothing(sit: Sit, tmp_path: Path) -> None:
     assert not Path(f"{file}.record.json").exists()
     dialog.reject()
     assert isinstance(dialog, QDialog)
+
+
+def test_the_dialog_for_a_signature_closes_when_the_procedure_changes(
+    sit: Sit, tmp_path: Path
+) -> None:
+    """What would be signed is no longer what the window shows."""
+    file = door_at(tmp_path)
+    make_key(SURGEON.name, SURGEON.role, PASSPHRASE)
+    reader = sit_as(sit, SURGEON, file)
+    reader.enter()
+    reader.feature.sign(rejects=True)
+    dialog, window = reader.feature.signing, reader.person.window
+    assert dialog is not None
+    reader.person.qtbot.waitUntil(dialog.isVisible)
+    file.write_text(file.read_text("utf-8").replace("Open the door", "Break the door"), "utf-8")
+    reader.person.qtbot.waitUntil(lambda: not dialog.isVisible(), timeout=30_000)
+    reader.person.qtbot.waitUntil(lambda: window.toast.words.startswith(CHANGED))
+    assert window.toast.isVisible()
+    assert not Path(f"{file}.record.json").exists()
 
 
 def test_a_comment_on_a_line_that_is_gone_is_shown_and_can_be_closed(

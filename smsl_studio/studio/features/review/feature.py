@@ -7,6 +7,8 @@ from datetime import datetime
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from PySide6.QtCore import QTimer
+
 from smsl_studio.errors import StudioError
 from smsl_studio.front.approval_badge import UNINSPECTED, ApprovalWords
 from smsl_studio.inspection.review.review import ReviewComment
@@ -32,6 +34,7 @@ if TYPE_CHECKING:
     from smsl_studio.studio.running.run_session import RunSession
 
 Words = tuple[tuple[str, ...], tuple[str, ...]]
+CHANGED = "The procedure has changed meanwhile. Read it again before you sign"
 READ_ONLY = "Read only, nothing here changes the procedure"
 PAPERS = "PDF (*.pdf);;HTML (*.html)"
 ANSWERS = "Answers of a review (*.review.json);;All files (*)"
@@ -67,6 +70,7 @@ class ReviewFeature(Feature):
         self.review.refused.connect(self._refuse)
         self.drafts = ReviewDrafts(parts.settings, lambda: str(parts.files.path or ""))
         parts.session.opened.connect(self._take_drafts)
+        parts.session.blueprint_changed.connect(self._leave_signing)
         parts.files.changed.connect(self._follow_file)
         self._beside = Beside(parts.window)
         self._approval: ApprovalWords = UNINSPECTED
@@ -189,6 +193,13 @@ class ReviewFeature(Feature):
         self.signing = SignDialog(blueprint, person, self._parts.window, rejects, conditions)
         self.signing.signed.connect(lambda _: self._signed())
         self.signing.open()
+
+    def _leave_signing(self) -> None:
+        """Close the dialog for a signature, because it would sign what is no longer shown."""
+        if self.signing is not None and self.signing.isVisible():
+            self.signing.reject()
+            # Not earlier: a message is taken away when a file is opened.
+            QTimer.singleShot(0, self._parts.window, lambda: self._parts.toast.warn(CHANGED))
 
     def _follow_findings(self, findings: Sequence[Finding]) -> None:
         """Tell first what nobody can sign away, before somebody reads all lines."""

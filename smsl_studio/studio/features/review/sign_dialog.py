@@ -8,7 +8,6 @@ from functools import partial
 
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import (
-    QCheckBox,
     QDialog,
     QDialogButtonBox,
     QLineEdit,
@@ -18,24 +17,26 @@ from PySide6.QtWidgets import (
 )
 
 from smsl_studio.blueprint.model import Blueprint
-from smsl_studio.errors import StudioError
+from smsl_studio.errors import ApprovalRefused, StudioError
 from smsl_studio.front.signatures import ApprovalRequest, SignedApproval, approve, open_warnings
 from smsl_studio.inspection.approval.key_store import StoredKey, stored_keys
 from smsl_studio.inspection.approval.known_keys import name_of
 from smsl_studio.inspection.approval.statement import APPROVED, CONDITIONS, MEANINGS, REJECTED
 from smsl_studio.inspection.review.review_file import LONGEST
-from smsl_studio.legible import plain_text
+from smsl_studio.legible import plain_text, whole_text
+from smsl_studio.smsl.files import read_content
 from smsl_studio.studio.base.beside import Beside
-from smsl_studio.studio.base.controls import Combo, label
-from smsl_studio.studio.base.words import capital
+from smsl_studio.studio.base.controls import Combo, Switch, label, row
+from smsl_studio.studio.base.room import Room
+from smsl_studio.studio.base.tips import tip_text
+from smsl_studio.studio.base.words import brief, capital
 
 NO_KEY = (
     "You have no key yet. Make one in a terminal: smsl-studio keys make --person NAME --role ROLE. "
     "Then open this dialog again."
 )
-WARNS = "The check warns. Write why this may stay, and type the passphrase again."
-MOST = 6
-"""At most so many lines of a refusal are shown."""
+WARNS = "The check warns. Write why all this may stay, and type the passphrase again."
+CHANGED = "Close this dialog, and read what has changed before you sign."
 BUSY = "The whole check runs, and then it is signed."
 KINDS = (
     "It must be met before a run starts. Somebody of your role signs later that it is met.\n"
@@ -73,7 +74,10 @@ class SignDialog(QDialog):
         self.passphrase.setEchoMode(QLineEdit.EchoMode.Password)
         self.passphrase.setAccessibleName("Passphrase")
         self.passphrase.setPlaceholderText("Passphrase of the key")
+        self.warnings = _field("Warnings of the check", 132)
+        self.warnings.setReadOnly(True)
         self.note = _field("Why the warnings may stay", 72)
+        self.warnings.hide()
         self.note.hide()
         self.met = [_met(text) for text in (() if rejects else open_conditions)]
         self.conditions = _field("Conditions, one a line; empty if there are none", 52)
@@ -94,7 +98,9 @@ class SignDialog(QDialog):
         column.setSpacing(10)
         words = label("Key", "second"), label("Passphrase", "second")
         parts: tuple[QWidget, ...] = (self.meaning, words[0], self.key, words[1], self.passphrase)
-        for part in (*parts, *self.met, self.conditions, self.refusal, self.note, self.buttons):
+        met = (Room(_met_lines(self.met)),) if self.met else ()
+        told = self.refusal, self.warnings, self.note
+        for part in (*parts, *met, self.conditions, *told, self.buttons):
             column.addWidget(part)
         if not self.key.count():
             self.refusal.setText(NO_KEY)
@@ -146,11 +152,10 @@ class SignDialog(QDialog):
 
     def _refuse(self, error: StudioError) -> None:
         warns = "has no disposition" in error.sentence
+        self.warnings.setVisible(warns)
         if warns:
-            rows = error.sentence.splitlines()
-            more = f"\nand {len(rows) - MOST} more" if len(rows) > MOST else ""
-            told = "\n".join(rows[:MOST]) + more
-            self.refusal.setText(f"{WARNS}\n{told}")
+            self.refusal.setText(WARNS)
+            self.warnings.setPlainText(whole_text(error.sentence))
             self.note.show()
         else:
             self.refusal.setText(f"{capital(error.sentence)}. {error.advice}".strip())
@@ -173,15 +178,34 @@ def _field(name: str, height: int) -> QPlainTextEdit:
     return field
 
 
-def _met(condition: str) -> QCheckBox:
-    """A box that says that a condition is met. It keeps the exact text, which is what is signed."""
-    box = QCheckBox(f"Met: {plain_text(condition)}")
-    box.setProperty("condition", condition)
-    return box
+def _met(condition: str) -> Switch:
+    """A switch that says that a condition is met. It keeps the exact text, which is signed."""
+    switch = Switch()
+    switch.setAccessibleName(plain_text(f"Met: {condition}"))
+    switch.setProperty("condition", condition)
+    return switch
+
+
+def _met_lines(switches: Sequence[Switch]) -> QWidget:
+    """The switches, each with its words beside it; the tool tip has the whole condition."""
+    lines = QWidget()
+    column = QVBoxLayout(lines)
+    column.setContentsMargins(0, 0, 0, 0)
+    for switch in switches:
+        condition = switch.property("condition")
+        words = label(brief(plain_text(f"Met: {condition}")), "")
+        words.setWordWrap(True)
+        for part in (switch, words):
+            part.setToolTip(tip_text(condition))
+        line = row(switch, words, spacing=10)
+        line.setStretch(1, 1)
+        column.addLayout(line)
+    return lines
 
 
 def _signed(request: ApprovalRequest, note: str) -> SignedApproval | StudioError:
     try:
+        _refuse_changed(request.blueprint)
         if note:
             warned = open_warnings(request)
             said = tuple(f"{one.rule}@{one.address}={note[:LONGEST]}" for one in warned)
@@ -189,6 +213,13 @@ def _signed(request: ApprovalRequest, note: str) -> SignedApproval | StudioError
         return approve(request)
     except StudioError as error:
         return error
+
+
+def _refuse_changed(blueprint: Blueprint) -> None:
+    """ApprovalRefused if a file is not what the person has read. ReadError if one is gone."""
+    for document in blueprint.documents:
+        if read_content(document.file).raw != document.encoded():
+            raise ApprovalRefused(f"{document.file} is not what was read", advice=CHANGED)
 
 
 def _keys(person: str) -> list[StoredKey]:
