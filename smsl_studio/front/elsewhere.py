@@ -3,7 +3,7 @@ file."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -18,6 +18,7 @@ from smsl_studio.host.remote import Remote, WithRemote
 from smsl_studio.library.bindings_file import BindingsFile, bindings_beside
 from smsl_studio.library.bound import leaf_facts
 from smsl_studio.monitor.aggregate import FactRule
+from smsl_studio.monitor.bus import SourceKey
 from smsl_studio.monitor.reception import Reception
 from smsl_studio.world.engines import TABLE
 
@@ -37,8 +38,8 @@ def with_remote(request: RunRequest, host: Host) -> Host:
     remote facts do not fit together. PluginError if the bindings file is not valid.
     """
     blueprint = request.blueprint
-    signed = request.trust.bindings if request.trust is not None else None
-    file = signed or bindings_beside(blueprint.file)
+    trust = request.trust
+    file = (trust.bindings if trust is not None else None) or bindings_beside(blueprint.file)
     table = file.mqtt
     broker, site = request.broker or table.broker, request.site or table.site
     if not table.facts:
@@ -53,8 +54,8 @@ def with_remote(request: RunRequest, host: Host) -> Host:
         raise UsageError(words, file.place("mqtt"), advice)
     sensors = tuple(_sensors(blueprint, file))
     measures = {(one.branch, one.digit, one.name) for one in sensors if one.unit}
-    room = room_of(blueprint.file, file)
-    speakers = room.speakers if room is not None else {}
+    told = None if trust is None else trust.speakers
+    speakers = speakers_of(blueprint.file, file) if told is None else told
     reception = Reception(site, table.run, sensors, measures, speakers)
     login = _login(request, file)
     rules = {key: _rule(blueprint, file, key) for key in dict.fromkeys(map(_fact, sensors))}
@@ -82,6 +83,13 @@ def room_of(blueprint_file: str, file: BindingsFile) -> Site | None:
     project = project_of(blueprint_file)
     path = _beside(blueprint_file, file, "room", project)
     return read_site_file(path, project)
+
+
+def speakers_of(blueprint_file: str, file: BindingsFile) -> Mapping[SourceKey, str]:
+    """Return which node speaks for which source, as the room of the bindings says. Empty without a
+    room. PluginError as for ``room_of``."""
+    room = room_of(blueprint_file, file)
+    return room.speakers if room is not None else {}
 
 
 def _login(request: RunRequest, file: BindingsFile) -> Login | None:

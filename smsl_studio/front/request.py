@@ -95,11 +95,18 @@ class RunRequest:
 
     @property
     def supervised(self) -> bool:
-        """Whether a person, an agent or a script supervises the run."""
-        acts = self.script is not None and bool(self.script.acts)
-        return bool(
-            self.supervisor or self.agents or self.person or acts or self.by_hand or self.attended
-        )
+        """Whether a person or an agent supervises the run.
+
+        A script does not: it was written before, and nobody knows whether its moments come.
+        """
+        scripted = self.script is not None and bool(self.script.acts)
+        present = self.by_hand or (self.attended and not scripted)
+        return bool(self.supervisor or self.agents or self.person or present)
+
+    @property
+    def set_levels(self) -> Mapping[str, str]:
+        """The levels that are set for this run, those of its script included."""
+        return {**self.levels, **(self.script.levels if self.script else {})}
 
     def checked(self) -> RunRequest:
         """Return the request with checked addresses, the levels of its script, and its supervisor.
@@ -115,7 +122,7 @@ class RunRequest:
         if forecast and self.world == REMOTE:
             words = "what a program elsewhere does cannot be tried beforehand"
             raise UsageError(words, advice="Leave the forecast out.")
-        levels = {**self.levels, **(self.script.levels if self.script else {})}
+        levels = self.set_levels
         return replace(
             self,
             goals=states_at(self.blueprint, self.goals, "goal"),

@@ -87,11 +87,13 @@ def procedure_digests(blueprint: Blueprint) -> Mapping[str, Json]:
 def _elsewhere(request: RunRequest) -> Mapping[str, Json] | None:
     """Return the facts of remote sensors with their sources, and the broker. None if there are
     none."""
+    trust = request.trust
     try:
-        table = bindings_beside(request.blueprint.file).mqtt
+        file = (trust and trust.bindings) or bindings_beside(request.blueprint.file)
     except StudioError:
         # The run is refused. Its log needs a header all the same, to record the refusal.
         return None
+    table = file.mqtt
     if not table.facts:
         return None
     return {

@@ -10,6 +10,7 @@ from smsl_studio.errors import RunRefused
 from smsl_studio.inspection.approval.refusal import Refusal
 from smsl_studio.library.bindings_file import BindingsFile
 from smsl_studio.library.loaded import Loaded
+from smsl_studio.monitor.bus import SourceKey
 
 Json = Any
 
@@ -21,7 +22,8 @@ class RunTrust:
     ``met`` has the typed conditions that are met. ``code`` has the SHA-256 of the signed code, by
     location. ``header`` is the part for the log. ``words`` say in one line who approved the
     blueprint, and whose keys count. ``loaded`` has the plugins as they were verified. ``bindings``
-    is the bindings file that was signed. ``hardware`` says that the world counts as hardware.
+    is the bindings file that was signed, and ``speakers`` the nodes that its room lets speak for a
+    source. ``hardware`` says that the world counts as hardware.
     ``badge`` has the words of the approval badge.
     """
 
@@ -34,6 +36,7 @@ class RunTrust:
     bindings: BindingsFile | None = None
     hardware: bool = False
     badge: str = ""
+    speakers: Mapping[SourceKey, str] | None = None
 
     @property
     def barred(self) -> str:

@@ -7,14 +7,17 @@ from dataclasses import replace
 from datetime import UTC, datetime
 from typing import Any
 
+from smsl_studio.blueprint.added_automation import added_automation
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.errors import ReadError
 from smsl_studio.front.approval_badge import words_of
 from smsl_studio.front.request import RunRequest
 from smsl_studio.front.run_trust import RunTrust
 from smsl_studio.front.verdicts import ApprovalAnswer, ApprovalQuestion, answered
+from smsl_studio.front.world_codes import WorldSurvey
 from smsl_studio.inspection.approval.refusal import Refusal
 from smsl_studio.inspection.approval.rule_code import common_code
+from smsl_studio.library.bindings_file import MqttTable
 from smsl_studio.seal.digest import digest_of
 from smsl_studio.smsl.files import read_content
 
@@ -24,7 +27,9 @@ Json = Any
 def with_trust(request: RunRequest) -> RunRequest:
     """Return the request with the answer whether it may start.
 
-    No plugin code runs in this process. PluginError if the policy cannot be read.
+    What the request sets beside the signed blueprint is asked, too: levels, broker and robot. No
+    plugin code runs in this process. PluginError if the policy cannot be read, UsageError for a
+    level or a robot that does not exist.
     """
     question = ApprovalQuestion(
         request.blueprint,
@@ -36,7 +41,11 @@ def with_trust(request: RunRequest) -> RunRequest:
         request.plugin_paths,
     )
     answer = answered(question)
-    refusals = (*answer.judgement.refusals, *_changed(request.blueprint))
+    refusals = (
+        *answer.judgement.refusals,
+        *_changed(request.blueprint),
+        *_unsigned(request, answer.survey),
+    )
     told = RunTrust(
         refusals,
         answer.judgement.met,
@@ -47,6 +56,7 @@ def with_trust(request: RunRequest) -> RunRequest:
         answer.survey.bindings,
         answer.survey.code is not None and answer.survey.code.hardware,
         words_of(answer, request.blueprint).words,
+        answer.survey.speakers,
     )
     return replace(request, trust=told)
 
@@ -61,6 +71,34 @@ def _changed(blueprint: Blueprint) -> Iterator[Refusal]:
         if not same:
             words = f"{document.file} is not what was read, or it is not saved"
             yield Refusal("file_changed", words)
+
+
+def _unsigned(request: RunRequest, survey: WorldSurvey) -> Iterator[Refusal]:
+    """Yield a refusal for each setting of a run that differs from what was signed."""
+    added = list(added_automation(request.blueprint, request.set_levels))
+    if added:
+        told = ", ".join(
+            f"{one.element} is {one.asked} and not {one.declared}" for one in added[:3]
+        )
+        more = f", and {len(added) - 3:,} more" if len(added) > 3 else ""
+        words = f"levels of this run leave people less to do than what was signed: {told}{more}"
+        yield Refusal("digest_differs", f"{words}. Leave them out, or sign a blueprint with them")
+    table = survey.bindings.mqtt if survey.bindings is not None else MqttTable()
+    for name, asked, signed in (
+        ("broker", request.broker, table.broker),
+        ("site", request.site, table.site),
+    ):
+        if asked and asked != signed:
+            words = (
+                f"the {name} {asked} is not the one that was signed, {signed or 'which is none'}"
+            )
+            advice = "Leave it out, or write it into the bindings file and sign this world again"
+            yield Refusal("code_changed", f"{words}. {advice}")
+    loaded = survey.loaded if request.robot else None
+    if loaded is not None and loaded.robot_name(request.world, request.robot):
+        words = f"nobody has signed that the robot {request.robot} is in {request.world}"
+        usual = f"Leave it out: {loaded.robots(request.world)[0]} is its usual robot"
+        yield Refusal("code_missing", f"{words}. {usual}")
 
 
 def _header(answer: ApprovalAnswer) -> dict[str, Json]:

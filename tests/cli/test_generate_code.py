@@ -189,6 +189,44 @@ def test_a_run_may_demand_a_record(
         assert codes == [one["code"] for one in theirs.get("refusals", [])]
 
 
+def test_no_level_of_a_generated_run_takes_from_people_what_was_signed(
+    shell: Shell, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Studio and the generated code answer alike, also about a policy that wants a supervisor."""
+    monkeypatch.setenv("SMSL_STUDIO_HOME", str(tmp_path / "home"))
+    monkeypatch.setenv("SMSL_PASSPHRASE", "a long enough secret")
+    values = json.loads(Path(sample("hanoi-2")).read_bytes())
+    values["_levels"] = {"SB1/0": "human", "supervision": "human"}
+    values["SB1"]["_operations"] = {name: {"actor": "human"} for name in ("Op_1b", "Op_2c")}
+    blueprint = tmp_path / "hanoi-2.json"
+    blueprint.write_text(json.dumps(values), "utf-8")
+    shell("keys", "make", "--person", "Dr. Sun", "--role", "surgeon", "--id", "sun")
+    record = str(tmp_path / "record.json")
+    assert shell("approve", str(blueprint), "--key", "sun", "-o", record).status == 0
+    made = tmp_path / "made"
+    shell("generate", "code", str(blueprint), "-o", str(made), "--record", record)
+    script, policy = tmp_path / "script.jsonl", tmp_path / "policy.toml"
+    policy.write_text("supervisor = true\n")
+    for of, level, codes in (
+        ("SB1/Op_1b", "shared", ["digest_differs"]),
+        ("SB1/State_aa/Op_1b", "automatic", ["digest_differs"]),
+        ("SB1/0", "automatic", ["digest_differs"]),
+        ("supervision", "shared", ["digest_differs"]),
+        ("SB1/1", "human", []),
+    ):
+        lines = {"do": "level", "of": of, "level": level}, {"at": 9, "do": "pause"}
+        script.write_text("\n".join(map(json.dumps, lines)), "utf-8")
+        words = ["run", "--record", record, "--script", str(script), "--format", "json"]
+        words += [] if codes else ["--policy", str(policy)]
+        call = [sys.executable, "-c", RUN, "hanoi_2", *words]
+        done = subprocess.run(call, cwd=made, capture_output=True, text=True, check=False)
+        studio = shell("run", str(blueprint), "--world", "table", *words[1:])
+        assert done.returncode == studio.status == 1
+        for last in (json.loads(done.stdout.splitlines()[-1]), studio.lines[-1]):
+            told = [one["code"] for one in last["refusals"]]
+            assert told == (codes or ["supervisor_missing"])
+
+
 def test_a_driver_is_generated(shell: Shell, tmp_path: Path) -> None:
     folder = tmp_path / "arm"
     made = shell("generate", "driver", "-o", str(folder), "--target", "cpp", "--format", "json")

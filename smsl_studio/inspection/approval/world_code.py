@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
 from typing import Any
 
 from smsl_studio.blueprint.address import fact_text
@@ -11,13 +12,44 @@ from smsl_studio.inspection.approval.statement import SignedFunction, WorldCode
 from smsl_studio.library.bindings_file import BindingsFile
 from smsl_studio.library.bound import Bindings
 from smsl_studio.library.loaded import Loaded
+from smsl_studio.monitor.bus import SourceKey
 from smsl_studio.seal.digest import digest_of
 
 Json = Any
 
 
+@dataclass(frozen=True)
+class SignedBindings:
+    """A bindings file as an approval signs it. ``speakers`` are the nodes that may speak for a
+    source (SB, digit, name), as the room that the file names says."""
+
+    file: BindingsFile
+    speakers: Mapping[SourceKey, str] = field(default_factory=dict)
+
+    @property
+    def listens(self) -> bool:
+        """Whether any fact is sensed elsewhere."""
+        return bool(self.file.mqtt.facts)
+
+    def elsewhere(self) -> dict[str, Json]:
+        """Return who tells which fact, and over which broker, as plain values. A blueprint that
+        hears nobody has no broker."""
+        table = self.file.mqtt
+        told = {"elsewhere": {key: list(table.sources(key)) for key in table.facts}}
+        speakers = sorted([*key, node] for key, node in self.speakers.items())
+        line = [table.broker, table.site, table.run, table.login, speakers]
+        return {**told, "line": line} if self.listens else told
+
+
+def heard_code(signed: SignedBindings) -> WorldCode | None:
+    """Return what is signed for a world without code: whom it hears. None if it hears nobody."""
+    if not signed.listens:
+        return None
+    return WorldCode(hardware=False, functions=[], bindings=digest_of(signed.elsewhere()))
+
+
 def world_code(
-    world: str, loaded: Loaded, bindings: Bindings, file: BindingsFile, code: Mapping[str, str]
+    world: str, loaded: Loaded, bindings: Bindings, signed: SignedBindings, code: Mapping[str, str]
 ) -> WorldCode:
     """Return the code that ``bindings`` bind to a blueprint in a world.
 
@@ -42,7 +74,7 @@ def world_code(
             [fact_text(one.branch, one.digit), *_called(one), one.period, one.max_age]
             for one in bindings.sensors
         ],
-        "elsewhere": {key: list(file.mqtt.sources(key)) for key in file.mqtt.facts},
+        **signed.elsewhere(),
     }
     return WorldCode(hardware=entry.hardware, functions=functions, bindings=digest_of(bound))
 

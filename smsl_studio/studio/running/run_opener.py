@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from contextlib import suppress
+from dataclasses import replace
 from pathlib import Path
 
 from smsl_studio.dispatch.dispatcher import Dispatcher
@@ -25,7 +26,7 @@ class RunOpener:
 
     def __init__(self, request: RunRequest, loaded: Loaded | None, folder: Path | None,
                  who: str, spare: Spare | None) -> None:  # fmt: skip
-        self._request, self._loaded = request, loaded
+        self._request, self._loaded = replace(request, person=who), loaded
         self._folder, self._who, self._spare = folder, who, spare
         self.written: Path | None = None
 

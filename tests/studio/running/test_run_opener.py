@@ -13,6 +13,7 @@ from pytestqt.qtbot import QtBot
 import smsl_studio as smsl
 from smsl_studio.errors import RunRefused, StudioError
 from smsl_studio.front.hosts import make_ready
+from smsl_studio.front.script.lines import script_of
 from smsl_studio.home import user_folder
 from smsl_studio.host.child import Recipe
 from smsl_studio.host.plugin_offers import describe
@@ -21,6 +22,7 @@ from smsl_studio.host.started_child import Child
 from smsl_studio.library.permission import allow
 from smsl_studio.runlog.events import Event, RunFinished
 from smsl_studio.studio.running.run_choice import RunChoice
+from smsl_studio.studio.running.run_opener import RunOpener
 from smsl_studio.studio.running.run_session import RunSession
 from smsl_studio.studio.running.runner import FASTEST
 from tests.approval import DOOR, PASSPHRASE, make_keys_cheap, written_policy
@@ -178,6 +180,22 @@ def test_a_run_whose_policy_is_met_starts_and_its_log_says_who_has_signed(bench:
     assert header["policy"]["verdict"] == "approved"
     assert header["policy"]["met"] == ["supervisor present", "world = table"]
     assert header["policy"]["signers"][0]["person"] == "Ada Lovelace"
+
+
+def test_who_sits_at_the_window_supervises_also_what_a_script_begins(bench: Bench) -> None:
+    bench.approve(conditions=("supervisor present",))
+    script = script_of(b'{"at": 9, "do": "pause"}', "script.jsonl", bench.blueprint)
+    choice = RunChoice("table", policy=bench.policy, script=script)
+    opener = RunOpener(choice.request(bench.blueprint), None, None, "M. Chen", None)
+    opener.dispatcher().close()
+
+
+def test_no_level_of_the_window_takes_from_people_what_was_signed(bench: Bench) -> None:
+    bench.approve()
+    choice = RunChoice("table", policy=bench.policy, levels={"supervision": "automatic"})
+    opener = RunOpener(choice.request(bench.blueprint), None, None, "M. Chen", None)
+    with pytest.raises(RunRefused, match="supervision is automatic and not shared"):
+        opener.dispatcher()
 
 
 def test_a_child_that_was_made_ready_before_the_check_is_not_used(bench: Bench) -> None:

@@ -73,7 +73,7 @@ class _Run:
         """Carry it out. Return the exit status."""
         options, script = self._options, self._script
         attended = bool(script.acts)
-        trust = trusted(self._blueprint, options.policy, options.record, attended)
+        trust = trusted(self._blueprint, options.policy, options.record, script.levels)
         dispatcher = Dispatcher(
             self._blueprint,
             start=self._start,

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from operator import attrgetter, methodcaller
 
 from .elements import (
     AUTOMATIC,
@@ -60,6 +61,34 @@ class Levels:
     def by_person(self, edge: Edge) -> bool:
         """Return whether a person carries out an edge instead of its function."""
         return edge.acts and edge.branch in self.people_do and self.operation(edge) == HUMAN
+
+    def less_human(self) -> Iterator[str]:
+        """Yield each element that is more automatic than the blueprint declares, in words."""
+        before, _ = self._said
+        declared = Levels(self._blueprint, {})
+        for text, own in self._elements(before):
+            was, now = own(declared), own(self)
+            if LEVELS.index(now) > LEVELS.index(was):
+                yield f"{text} is {now} and not {was}"
+
+    def _elements(self, keys: Iterable[str]) -> Iterator[tuple[str, Callable[[Levels], str]]]:
+        """Yield what these keys name: each operation of a name is one."""
+        for key in keys:
+            name, *more = parts(key)
+            if key in DEFAULTS:
+                yield key, attrgetter(key)
+            elif len(more) == 1 and is_digit(self._blueprint, name, more[0]):
+                yield key, methodcaller("fact", (name, int(more[0])))
+            else:
+                for edge in self._named(name, more):
+                    yield edge.address, methodcaller("operation", edge)
+
+    def _named(self, branch: str, names: Sequence[str]) -> Iterator[Edge]:
+        own = self._blueprint[branch]
+        for state, one in own.states.items():
+            for name, target in one.operations.items():
+                if names in ([name], [state, name]):
+                    yield Edge(branch, state, name, target, own.operation(state, name))
 
     def _of(self, *keys: str) -> str:
         return next((said[key] for said in self._said for key in keys if key in said), "")

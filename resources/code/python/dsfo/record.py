@@ -22,6 +22,7 @@ from typing import Any
 
 from .elements import Blueprint
 from .errors import RunRefused, UsageError
+from .levels import Levels
 from .people import same_name
 
 if sys.version_info >= (3, 11):
@@ -114,12 +115,13 @@ class Trust:
 
 
 def trusted(
-    blueprint: Blueprint, policy: str | None, record: str | None, supervised: bool
+    blueprint: Blueprint, policy: str | None, record: str | None, before: Mapping[str, str]
 ) -> Trust:
-    """Return whether a run may start under a policy with a record."""
+    """Return whether a run may start under a policy with a record. ``before`` are the levels that
+    are set for it."""
     if policy is None and record is None:
         return Trust()
-    grounds = _Grounds(blueprint, policy, record, supervised)
+    grounds = _Grounds(blueprint, policy, record, before)
     try:
         return grounds.judged()
     except Doubt as doubt:
@@ -132,9 +134,13 @@ class _Grounds:
     """One question: the policy, the record, the keys, and the present moment."""
 
     def __init__(
-        self, blueprint: Blueprint, policy: str | None, record: str | None, supervised: bool
+        self,
+        blueprint: Blueprint,
+        policy: str | None,
+        record: str | None,
+        before: Mapping[str, str],
     ) -> None:
-        self._blueprint, self._supervised = blueprint, supervised
+        self._blueprint, self._before = blueprint, before
         self._policy_file, self._record_file = policy, record
         self._policy: dict[str, Json] = {}
         self._now = datetime.now(timezone.utc)
@@ -153,11 +159,15 @@ class _Grounds:
         last = self._last_words()
         wrong += self._against(last)
         wrong += self._missing(last)
-        if self._policy.get("supervisor") and not self._supervised:
+        if self._policy.get("supervisor"):  # here only a script acts, which is no supervisor
             wrong.append(("supervisor_missing", "the policy wants a supervisor"))
         for one in last:
             if one.counts:
                 wrong += self._conditions(one)
+        less = list(Levels(self._blueprint, self._before).less_human())
+        if less:
+            words = f"levels of this run leave people less to do than what was signed: {less[0]}"
+            wrong.append(("digest_differs", words))
         return self.told(list(dict.fromkeys(wrong)))
 
     def told(self, refusals: list[Refusal]) -> Trust:
@@ -319,7 +329,7 @@ class _Grounds:
         if text.startswith("world = "):
             return text == "world = table"
         if text == "supervisor present":
-            return self._supervised
+            return False
         if sensor := re.fullmatch(r"sensor .+/\d+ at (\d+(?:\.\d+)?) Hz", text, re.ASCII):
             return float(sensor[1]) <= HERTZ
         if until := re.fullmatch(r"until (\S+)", text):
