@@ -121,6 +121,8 @@ def test_who_tells_a_fact_from_elsewhere_is_signed_for_its_world(file: Path, wor
     assert asked(request) == []
     heard(file)
     assert asked(request) == ["code_missing", "too_few_persons"]
+    found = smsl.verify_approval(request.blueprint, world=world).refusals[0].sentence
+    assert found.endswith(f"does not sign who tells facts from elsewhere in the world {world}")
     approve(file, worlds=(world,))
     assert asked(request) == []
     assert smsl.verify_approval(request.blueprint, world=world).is_approved

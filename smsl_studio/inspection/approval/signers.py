@@ -209,7 +209,9 @@ def _code_faults(case: ApprovalCase, said: Predicate, who: str) -> Iterator[Refu
         return
     signed = said.worlds.get(present.world)
     if signed is None:
-        yield Refusal("code_missing", f"{who} does not sign the code of the world {present.world}")
+        bare = present.code is not None and not present.code.functions
+        what = "who tells facts from elsewhere in" if bare else "the code of"
+        yield Refusal("code_missing", f"{who} does not sign {what} the world {present.world}")
     elif present.code is None:
         yield Refusal("code_missing", present.missing)
     elif signed != present.code:
