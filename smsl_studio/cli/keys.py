@@ -7,7 +7,8 @@ from typing import Any
 
 from smsl_studio.cli.arguments import ArgumentParser, add_format
 from smsl_studio.cli.output import Output, note
-from smsl_studio.cli.passphrase import NEW_VARIABLE, add_passphrase, new_passphrase, passphrase
+from smsl_studio.cli.passphrase import add_passphrase, new_passphrase, passphrase
+from smsl_studio.cli.secrets_apart import NEW_VARIABLE
 from smsl_studio.errors import UsageError
 from smsl_studio.front.key_ring import (
     export_key,

@@ -6,16 +6,15 @@ They are never arguments of a command, because every program on the computer cou
 from __future__ import annotations
 
 import getpass
-import os
 import sys
 from pathlib import Path
 
 from smsl_studio.cli.arguments import ArgumentParser
 from smsl_studio.cli.output import note
+from smsl_studio.cli.secrets_apart import VARIABLE, given_passphrase
 from smsl_studio.errors import UsageError
 from smsl_studio.smsl.files import read_content
 
-VARIABLE, NEW_VARIABLE = "SMSL_PASSPHRASE", "SMSL_NEW_PASSPHRASE"
 MOST = 10_000
 
 
@@ -70,7 +69,7 @@ def new_passphrase(file: str | None, whose: str, variable: str = VARIABLE) -> by
 
 def _given(file: str | None, variable: str) -> bytes:
     if file is None:
-        return os.environ.get(variable, "").encode("utf-8", "surrogateescape")[:MOST]
+        return given_passphrase(variable)[:MOST]
     line = read_content(Path(file)).raw.split(b"\n", 1)[0].removesuffix(b"\r")[:MOST]
     if not line:
         raise UsageError(f"the first line of {file} is empty", advice="Write the passphrase there.")

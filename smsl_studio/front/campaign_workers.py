@@ -26,6 +26,7 @@ from smsl_studio.front.campaign_runs import (
     verdict_of_json,
 )
 from smsl_studio.front.inputs import read
+from smsl_studio.host.started_child import environment_of_child
 from smsl_studio.stop import heed
 
 WAIT = 0.05
@@ -49,6 +50,7 @@ class CampaignWorkers:
                 stdin=subprocess.PIPE,
                 stdout=subprocess.PIPE,
                 stderr=subprocess.DEVNULL,
+                env=environment_of_child(),
                 # Ctrl-C is for the campaign, which ends its workers.
                 process_group=0,
             )

@@ -191,6 +191,7 @@ def start_child(module: str = WORLD) -> Child:
             stdout=out,
             stderr=out,
             pass_fds=pipes,
+            env=environment_of_child(),
             process_group=0,
         )
         try:
@@ -201,6 +202,16 @@ def start_child(module: str = WORLD) -> Child:
             raise
         ours.pop_all()
         return child
+
+
+def environment_of_child() -> dict[str, str]:
+    """Return the environment of this process without passphrases: whoever runs code of plugins has
+    no use for them."""
+    return {
+        name: value
+        for name, value in os.environ.items()
+        if not (name.startswith("SMSL_") and name.endswith("PASSPHRASE"))
+    }
 
 
 def _pipe(ours: contextlib.ExitStack, theirs: contextlib.ExitStack) -> tuple[int, int]:

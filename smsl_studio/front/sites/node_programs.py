@@ -19,6 +19,7 @@ from time import monotonic
 from smsl_studio.blueprint.address import fact_text
 from smsl_studio.errors import PluginError, UsageError, did_you_mean
 from smsl_studio.front.sites.site_file import Site, SiteNode, read_site
+from smsl_studio.host.started_child import environment_of_child
 from smsl_studio.shipped import samples_dir
 
 LEAVE = 3.0
@@ -52,6 +53,7 @@ class NodePrograms:
                 stdin=subprocess.PIPE,
                 stdout=subprocess.PIPE,
                 stderr=subprocess.STDOUT,
+                env=environment_of_child(),
                 text=True,
                 errors="replace",
             )
