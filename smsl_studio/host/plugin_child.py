@@ -27,7 +27,7 @@ from smsl_studio.host.plugin_process import SIZE, PluginAnswer, PluginProcess
 from smsl_studio.host.vocabulary import COUNT, sentence
 from smsl_studio.host.wire import ChildWire
 from smsl_studio.library.loaded import PluginFault
-from smsl_studio.library.loading import load_plugin
+from smsl_studio.library.loading import load_from_bytes
 from smsl_studio.library.survey import FoundPlugin
 
 STEP = row(COUNT, COUNT, optional(opaque(LARGEST)), sentence())
@@ -160,7 +160,7 @@ def _tell_of(found: FoundPlugin, wire: ChildWire, pipe: int, above: tuple[int, i
 
 def _described(found: FoundPlugin) -> bytes:
     try:
-        return written(load_plugin(found))
+        return written(load_from_bytes(found))
     except Unfit as error:
         words = f"it cannot be described: {error}"
     except BaseException as error:  # values in the plugin's library may raise any error

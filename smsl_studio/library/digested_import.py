@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import hashlib
+import sys
 from collections.abc import Sequence
 from importlib.abc import MetaPathFinder
 from importlib.machinery import (
@@ -15,7 +16,7 @@ from importlib.util import spec_from_file_location
 from pathlib import Path
 from types import ModuleType
 
-from smsl_studio.library.sources import Sources
+from smsl_studio.library.sources import PackageSources, Sources
 
 
 class DigestedFinder(MetaPathFinder):
@@ -36,7 +37,12 @@ class DigestedFinder(MetaPathFinder):
         digested. None for a module of another package."""
         if not fullname.startswith(f"{self.private}."):
             return None
-        name = fullname.removeprefix(f"{self.private}.").replace(".", "/")
+        return self._digested(fullname, fullname.removeprefix(f"{self.private}."))
+
+    def _digested(self, fullname: str, inner: str) -> ModuleSpec:
+        """Return the spec of a module that is called ``inner`` below the folder.
+        ModuleNotFoundError for a module that was not digested."""
+        name = inner.replace(".", "/")
         modules, compiled = self._sources.modules, self._sources.compiled
         if f"{name}/__init__.py" in modules:
             return self._source(fullname, f"{name}/__init__.py", self._sources.folder / name)
@@ -73,6 +79,48 @@ class DigestedFinder(MetaPathFinder):
         )
         assert spec is not None
         return spec
+
+
+class PackageFinder(DigestedFinder):
+    """Finds only the modules of one installed package, under their own names."""
+
+    def __init__(self, sources: PackageSources) -> None:
+        super().__init__("", sources)
+        self.names = sources.names
+        self._closed = sources.closed
+
+    def find_spec(
+        self, fullname: str, path: Sequence[str] | None, target: ModuleType | None = None
+    ) -> ModuleSpec | None:
+        """Return the spec of a module of the package. ModuleNotFoundError for one that was not
+        digested. None for a module of another package."""
+        top = fullname.partition(".")[0]
+        if top in self.names:
+            return self._digested(fullname, fullname)
+        if self._closed and top == fullname and self._lies_beside(top):
+            words = f"{fullname} lies beside the code of a plugin and does not belong to it"
+            raise ModuleNotFoundError(words, name=fullname)
+        return None
+
+    def _lies_beside(self, top: str) -> bool:
+        """Whether Python would take a module from the folder in which the package lies."""
+        spec = spec_on_disk(top)
+        if spec is None:
+            return False
+        places = spec.submodule_search_locations or [spec.origin or ""]
+        return any(Path(place).resolve().parent == self._sources.folder for place in places)
+
+
+def spec_on_disk(top: str) -> ModuleSpec | None:
+    """Return where Python finds a module of the highest level, without any digested bytes. None of
+    its code runs."""
+    for finder in sys.meta_path:
+        if isinstance(finder, PackageFinder) or not hasattr(finder, "find_spec"):
+            continue
+        spec = finder.find_spec(top, None)
+        if spec is not None:
+            return spec
+    return None
 
 
 class _DigestedLoader(SourceFileLoader):

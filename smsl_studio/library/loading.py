@@ -19,10 +19,10 @@ from pathlib import Path
 from smsl_studio.errors import Place, PluginError, RunRefused
 from smsl_studio.library.loaded import Loaded, Plugin, PluginFault
 from smsl_studio.library.operation_library import OperationLibrary
-from smsl_studio.library.plugin_code import CHANGED, code_of
-from smsl_studio.library.plugin_package import import_plugin, place_of
-from smsl_studio.library.sources import read_sources
-from smsl_studio.library.survey import FoundPlugin, PluginState, survey
+from smsl_studio.library.plugin_code import CHANGED, sources_of
+from smsl_studio.library.plugin_package import import_plugin, leave_package, place_of, take_package
+from smsl_studio.library.sources import PackageSources
+from smsl_studio.library.survey import SHIPPED, FoundPlugin, PluginState, survey
 
 
 def discover(
@@ -90,15 +90,30 @@ def gathered(
 def load_signed(found: FoundPlugin, code: str) -> Plugin | PluginFault:
     """Load one plugin if the SHA-256 of its code is ``code``. Return the plugin, or a fault.
 
-    The modules of a folder are imported from exactly the bytes that were hashed.
+    Its modules are imported from exactly the bytes that were hashed.
     """
     try:
-        if found.point is None:
-            found = replace(found, sources=read_sources(Path(found.location)))
-        if code_of(found) != code:
+        sources = sources_of(found)
+        if sources.digest != code:
             raise PluginError(CHANGED, advice="Let it be looked at and signed again.")
     except PluginError as error:
         return _fault_of(found, error)
+    return load_plugin(replace(found, sources=sources))
+
+
+def load_from_bytes(found: FoundPlugin) -> Plugin | PluginFault:
+    """Load one plugin from bytes that were read once, so that no bytecode beside them runs.
+
+    A plugin whose code cannot be read in this way is loaded as Python finds it; no approval can
+    sign its code. What ships with the program is as trusted as the program, and loads as it does.
+    """
+    if found.source == SHIPPED:
+        return load_plugin(found)
+    with contextlib.suppress(PluginError):
+        sources = found.sources or sources_of(found)
+        if isinstance(sources, PackageSources):
+            sources = replace(sources, closed=False)  # nobody has signed it yet
+        found = replace(found, sources=sources)
     return load_plugin(found)
 
 
@@ -172,6 +187,10 @@ def _loaded(found: FoundPlugin) -> Plugin:
     assert found.manifest is not None
     library = OperationLibrary(found.manifest.name)
     if found.point is not None:
+        if isinstance(found.sources, PackageSources):
+            take_package(found.sources)
+        else:
+            leave_package([found.point.module.partition(".")[0]])
         loaded = found.point.load()
         getattr(loaded, "register", loaded)(library)
     else:

@@ -5,13 +5,14 @@ from __future__ import annotations
 import hashlib
 import sys
 import traceback
+from collections.abc import Collection
 from importlib.util import module_from_spec, spec_from_file_location
 from pathlib import Path
 from types import ModuleType
 
 from smsl_studio.errors import Place, PluginError
-from smsl_studio.library.digested_import import DigestedFinder
-from smsl_studio.library.sources import Sources
+from smsl_studio.library.digested_import import DigestedFinder, PackageFinder
+from smsl_studio.library.sources import PackageSources, Sources
 
 
 def import_plugin(name: str, folder: Path, sources: Sources | None = None) -> ModuleType:
@@ -43,6 +44,32 @@ def import_plugin(name: str, folder: Path, sources: Sources | None = None) -> Mo
         _forget(private)
         raise
     return module
+
+
+def take_package(sources: PackageSources) -> None:
+    """Let the modules of an installed package be imported from the digested bytes from now on.
+
+    Modules of it that were imported before are removed.
+    """
+    leave_package(sources.names)
+    _remove_modules(sources.names)
+    sys.meta_path.insert(0, PackageFinder(sources))
+
+
+def leave_package(names: Collection[str]) -> None:
+    """Let modules of the highest level be imported as Python finds them again.
+
+    If they came from digested bytes, all modules of their package are removed.
+    """
+    for finder in [one for one in sys.meta_path if isinstance(one, PackageFinder)]:
+        if not finder.names.isdisjoint(names):
+            sys.meta_path.remove(finder)
+            _remove_modules(finder.names)
+
+
+def _remove_modules(names: Collection[str]) -> None:
+    for name in [one for one in sys.modules if one.partition(".")[0] in names]:
+        del sys.modules[name]
 
 
 def place_of(error: BaseException, location: str) -> Place | None:

@@ -42,6 +42,19 @@ class Sources:
     compiled: Mapping[str, str]
 
 
+@dataclass(frozen=True, slots=True)
+class PackageSources(Sources):
+    """The modules of an installed package at one moment.
+
+    ``folder`` is the folder in which they lie, ``names`` are its modules of the highest level. If
+    it is ``closed``, no other module of ``folder`` is imported beside them: the package does not
+    list its modules, so what else lies there may belong to it.
+    """
+
+    names: frozenset[str]
+    closed: bool
+
+
 def check_sources(folder: Path) -> None:
     """Raise PluginError if another user could change the content of a plugin's folder.
 
@@ -78,7 +91,7 @@ def read_sources(folder: Path) -> Sources:
         if stat.S_ISDIR(found.st_mode):
             continue
         if stat.S_ISLNK(found.st_mode):
-            _line(whole.update, "link", name, os.fsencode(path.readlink()))
+            add_line(whole.update, "link", name, os.fsencode(path.readlink()))
             if not _stays(path, folder):
                 raise PluginError(
                     f"{name} is a link that leads out of its folder",
@@ -88,10 +101,10 @@ def read_sources(folder: Path) -> Sources:
                 continue
         elif not stat.S_ISREG(found.st_mode):
             raise _no_file(name)
-        raw = _read(path, name, left)
+        raw = content_at(path, name, left)
         left -= len(raw)
         digest = hashlib.sha256(raw).digest()
-        _line(whole.update, "file", name, digest)
+        add_line(whole.update, "file", name, digest)
         if name.endswith(".py"):
             modules[name] = raw
         elif name.endswith(_CODE):
@@ -135,7 +148,7 @@ def _stays(link: Path, folder: Path) -> bool:
         return False
 
 
-def _read(path: Path, name: str, most: int) -> bytes:
+def content_at(path: Path, name: str, most: int) -> bytes:
     """Return the bytes of an ordinary file. PluginError for any other file, or more than ``most``
     bytes."""
     flags = os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0)
@@ -159,7 +172,7 @@ def _no_file(name: str) -> PluginError:
     return PluginError(f"{name} is no ordinary file", advice="Take it out of the folder.")
 
 
-def _line(whole: Callable[[bytes], object], kind: str, name: str, value: bytes) -> None:
+def add_line(whole: Callable[[bytes], object], kind: str, name: str, value: bytes) -> None:
     """Add one entry to a digest. The lengths separate names from values."""
     for part in (kind.encode(), os.fsencode(name), value):
         whole(len(part).to_bytes(8, "big") + part)
