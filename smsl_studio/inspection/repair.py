@@ -1,7 +1,4 @@
-"""Repair: applies quick fixes. Each fix is looked up anew in the blueprint that it changes.
-
-The rules are loaded when the first one is applied.
-"""
+"""Repair: applies quick fixes. Each fix is looked up anew in the blueprint that it changes."""
 
 from __future__ import annotations
 
@@ -10,6 +7,7 @@ from typing import NamedTuple
 
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.errors import EditRefused, StudioError
+from smsl_studio.inspection.inspect import inspect
 from smsl_studio.inspection.rules.finding import Finding, Severity
 
 CERTAIN = ("R03", "R15")
@@ -41,8 +39,6 @@ def mend_errors(blueprint: Blueprint, told: Callable[[int], object] = lambda _: 
     Each fix is looked up in the blueprint that the fix before it returned. A fix that is refused
     is left out. After each fix ``told`` is called with the number of fixes so far.
     """
-    from smsl_studio.inspection.inspect import inspect
-
     mended: list[Finding] = []
     seen: set[tuple[str, str, str]] = set()
     while len(mended) < MOST:
@@ -66,8 +62,6 @@ def mend(blueprint: Blueprint, finding: Finding) -> Blueprint:
     A blueprint that does not have the finding any more raises EditRefused. So an outdated fix
     cannot delete or rename the wrong element.
     """
-    from smsl_studio.inspection.inspect import inspect
-
     for one in inspect(blueprint, [finding.rule]):
         if _key(one) == _key(finding) and one.addresses == finding.addresses and one.fix:
             return one.fix.apply(blueprint)

@@ -6,6 +6,8 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from smsl_studio.errors import Place, UsageError, WorldError, did_you_mean
+from smsl_studio.library.arm_table import arm_named
+from smsl_studio.library.stations import reaches
 from smsl_studio.world.engines import REMOTE, TABLE
 
 if TYPE_CHECKING:
@@ -118,8 +120,6 @@ class Loaded:
         for plugin in self.serving(world):
             if name in plugin.library.robots:
                 return plugin.library.robots[name]
-        from smsl_studio.library.arm_table import arm_named
-
         return arm_named(name)
 
     def reach(self, world: str, asked: str) -> RobotReach | None:
@@ -130,11 +130,7 @@ class Loaded:
         entry = library.reaching.get(world) if library is not None else None
         if library is None or entry is None:
             return None
-        known = entry.known
-        if known is None:
-            from smsl_studio.library.stations import reaches
-
-            known = reaches(library, entry)
+        known = entry.known if entry.known is not None else reaches(library, entry)
         return known.get(name) or known.get("")
 
     def serving(self, world: str) -> tuple[Plugin, ...]:

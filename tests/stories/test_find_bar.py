@@ -193,7 +193,7 @@ def test_findings_and_the_library_are_found(sit: Sit) -> None:
     person.press(Key.Key_Return)
     assert bar.found.words == "Found in finding, rule “R15”"
     assert person.selected()[0].startswith("SB1/State_cb")
-    offered = person.window.features.draw.back.offered[0]
+    offered = person.window.library.offered[0]
     find(person, offered)
     person.press(Key.Key_Return)
     while not bar.found.words.startswith("Found in library"):

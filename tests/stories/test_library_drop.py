@@ -25,7 +25,7 @@ from smsl_studio.studio.features.draw.canvas.connect_card import ConnectCard
 from smsl_studio.studio.features.draw.canvas.library_drop import KIND, library_data
 from smsl_studio.studio.features.draw.canvas.library_verbs import LibraryVerbs
 from smsl_studio.studio.features.draw.panels import library_list
-from smsl_studio.studio.features.draw.panels.offers import LibraryEntry
+from smsl_studio.studio.features.draw.panels.library import LibraryEntry
 from tests.stories.at_canvas import Drawer
 from tests.stories.conftest import Sit
 from tests.stories.person import SAMPLES, Person

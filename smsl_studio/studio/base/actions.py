@@ -100,8 +100,7 @@ class Actions(QObject):
         self.later: Callable[[Callable[[], object]], object] = _now
         """Calls a function now, or a moment later if the window shows an edit then."""
         for action in self.table.values():
-            # A child of the window would be announced to all that watches the window.
-            made = QAction(action.words, self)
+            made = QAction(action.words, window)
             made.setObjectName(action.id)
             made.setCheckable(action.checked is not None)
             made.setAutoRepeat(not action.once)
@@ -115,12 +114,11 @@ class Actions(QObject):
             made.setToolTip(tip_text(action.hint))
             made.setStatusTip(tip_text(action.tip))
             made.triggered.connect(self._caller(action))
+            if action.scope == "window":
+                window.addAction(made)
             self._made[action.id] = made
         self.set_tokens(tokens)
         self.refresh()
-        # Last, because the window is told of each later change of an action.
-        own = [one.id for one in self if one.scope == "window"]
-        window.addActions([self._made[name] for name in own])
 
     def __getitem__(self, name: str) -> QAction:
         return self._made[name]

@@ -24,14 +24,11 @@ LOOK = 2
 
 
 class Beside(QObject):
-    """One worker thread with a queue. Results arrive in the thread of this object.
-
-    The thread begins with the first task.
-    """
+    """One worker thread with a queue. Results arrive in the thread of this object."""
 
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
-        self._thread: ThreadPoolExecutor | None = None
+        self._thread = ThreadPoolExecutor(1)
         self._tasks = tasks = _Tasks()
         self._stopped = False
         # The tasks outlive this object, so the function does not hold it.
@@ -43,7 +40,6 @@ class Beside(QObject):
         An exception from ``work`` is raised again in this thread, where unsaved work is kept.
         """
         if not self._stopped:
-            self._thread = self._thread or ThreadPoolExecutor(1)
             task = _Task(work, then, self._tasks.wanted)
             self._tasks.add(task, self._thread.submit(task.do))
 
@@ -64,8 +60,7 @@ class Beside(QObject):
         """
         self._stopped = True
         self._tasks.forget()
-        if self._thread is not None:
-            self._thread.shutdown(wait=False, cancel_futures=True)
+        self._thread.shutdown(wait=False, cancel_futures=True)
 
 
 class _Wanted:

@@ -6,20 +6,14 @@ from PySide6.QtCore import QSize
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
-from smsl_studio.studio.base.feature import Coloured
 from smsl_studio.studio.base.late_part import LatePart, Made
-from smsl_studio.studio.base.tab_order import put_before
-from smsl_studio.studio.base.theme import Tokens
 
 LEAST = 60
 """The least height of the place (pixels), because the panels beside it may be low."""
 
 
 class LatePanel(QWidget):
-    """Is filled by ``part`` as soon as that is made, at the latest when it is shown.
-
-    Then Tab goes through the panel where it went past this place.
-    """
+    """Is filled by ``part`` as soon as that is made, at the latest when it is shown."""
 
     def __init__(self, part: LatePart[Made]) -> None:
         super().__init__()
@@ -27,18 +21,6 @@ class LatePanel(QWidget):
         self._column = QVBoxLayout(self)
         self._column.setContentsMargins(0, 0, 0, 0)
         part.when_made(self._take)
-
-    def panel(self) -> QWidget:
-        """The panel itself, which is made now if it was not needed before."""
-        panel = self._part()
-        assert isinstance(panel, QWidget)
-        return panel
-
-    def set_tokens(self, tokens: Tokens) -> None:
-        """Use the colours of another theme. A panel that is made later begins with them."""
-        panel = self._part.made
-        if isinstance(panel, Coloured):
-            panel.set_tokens(tokens)
 
     def minimumSizeHint(self) -> QSize:
         """The same small size before and after it is filled."""
@@ -52,7 +34,6 @@ class LatePanel(QWidget):
     def _take(self, panel: Made) -> None:
         assert isinstance(panel, QWidget)
         self._column.addWidget(panel)
-        put_before(panel, self)
         # Else Qt would show it a moment later, after what is asked of it now.
         panel.show()
         self.setFocusProxy(panel)

@@ -20,12 +20,12 @@ def in_order(after: QWidget, widgets: Sequence[QWidget]) -> None:
 
 def put_before(part: QWidget, follower: QWidget) -> None:
     """Let the key Tab go through a part that was made last, and then to ``follower``."""
-    widgets = [part]
+    widgets: list[QWidget] = []
     at = part.nextInFocusChain()
     while at is not None and part.isAncestorOf(at):
         widgets.append(at)
         at = at.nextInFocusChain()
-    before = _first_of(follower, part).previousInFocusChain()
+    before = follower.previousInFocusChain()
     # Qt orders only widgets that take the focus.
     while before is not None and not _takes_keys(before):
         before = before.previousInFocusChain()
@@ -40,21 +40,6 @@ def go_on(widget: QWidget, forward: bool = True) -> None:
     """
     widget.setFocus(Qt.FocusReason.TabFocusReason)
     QWidget.focusNextPrevChild(widget, forward)
-
-
-def _first_of(follower: QWidget, part: QWidget) -> QWidget:
-    """The widget of ``follower`` that Tab comes to first, besides those of ``part``; ``follower``
-    itself if it has none.
-
-    What was made late is still last, because only its widgets were put in order.
-    """
-    at = follower.window().nextInFocusChain()
-    while at is not None and at is not follower.window():
-        inside = at is follower or follower.isAncestorOf(at)
-        if inside and _takes_keys(at) and at is not part and not part.isAncestorOf(at):
-            return at
-        at = at.nextInFocusChain()
-    return follower
 
 
 def _takes_keys(widget: QWidget) -> bool:

@@ -74,14 +74,6 @@ class Afterwards(QObject):
             if self._wanted and not self._changes:
                 self._wait()
 
-    @contextmanager
-    def opening(self) -> Iterator[None]:
-        """While another file is announced by several signals: each part shows it once, at the end,
-        and not once for each signal."""
-        with self.change():
-            yield
-        self.catch_up()
-
     def catch_up(self) -> None:
         """Let all parts show the last edit now."""
         if self._timer.isActive():

@@ -1,9 +1,8 @@
 """Inspector: inspects the blueprint in a second thread after every change.
 
-The rules are pure functions of a frozen blueprint, and are loaded in that thread. So the window
-does not freeze while a large blueprint is inspected. After the rules, the hazards and properties
-are answered, which may take longer. If a person has chosen a world, the rules about worlds are
-checked, too.
+The rules are pure functions of a frozen blueprint. So the window does not freeze while a large
+blueprint is inspected. After the rules, the hazards and properties are answered, which may take
+longer. If a person has chosen a world, the rules about worlds are checked, too.
 
 Findings of a blueprint that is no longer shown are dropped. The findings of the last blueprints are
 kept, because an undo shows the same blueprint again.
@@ -20,6 +19,7 @@ from PySide6.QtCore import QObject, QTimer, Signal
 
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.errors import UsageError, WorldError
+from smsl_studio.inspection.inspect import ALL, in_order, inspect, order
 from smsl_studio.inspection.rules.finding import Finding
 from smsl_studio.studio.base.beside import Beside
 from smsl_studio.studio.document.session import Session
@@ -107,8 +107,6 @@ class Inspector(QObject):
     @property
     def rules(self) -> int:
         """The number of rules that are checked."""
-        from smsl_studio.inspection.inspect import ALL
-
         return len(ALL)
 
     @property
@@ -210,8 +208,6 @@ class Inspector(QObject):
         self._keep(_Known(blueprint, known.findings, came))
         every = (*known.findings, *came.proof.findings)
         if came.proof.findings:
-            from smsl_studio.inspection.inspect import order
-
             every = tuple(sorted(every, key=partial(order, blueprint)))
         self.findings, self.answered = every, came
         self._tell()
@@ -235,8 +231,6 @@ def _inspected(
     blueprint: Blueprint, world: str, loaded: Loaded | None, robot: str
 ) -> tuple[Finding, ...]:
     """Inspect a blueprint, also in a world if there is one. The worker thread calls this."""
-    from smsl_studio.inspection.inspect import in_order, inspect
-
     found = inspect(blueprint)
     if not world:
         return found

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from smsl_studio.blueprint.address import Address, note_key
+from smsl_studio.blueprint.editing.renames import replaced_words
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.library.loaded import Loaded
 from smsl_studio.studio.base.words import series
@@ -62,7 +63,5 @@ def _replaced(blueprint: Blueprint, edge: Address, new: str) -> list[str]:
     notes = table if isinstance(table, dict) else {}
     own = notes.get(note_key(edge.operation, edge.state))
     said = own if isinstance(own, dict) else {}
-    from smsl_studio.blueprint.editing.renames import replaced_words
-
     words = replaced_words(notes.get(note_key(edge.operation)), notes.get(note_key(new)))[1]
     return [word for word in words if word not in said]

@@ -70,7 +70,6 @@ class Session(QObject):
         super().__init__(parent)
         self._blueprint = blueprint
         self._broken: Broken | None = None
-        self._salvage: Blueprint | None = None
         self._aside = NOTHING
         self.unsaved: Unsaved = lambda _: False
         """Tells whether a document's text exists nowhere else. ``Files`` sets this."""
@@ -108,11 +107,6 @@ class Session(QObject):
     def broken(self) -> Broken | None:
         """The text that cannot be read, or None; ``blueprint`` is then the last one that could."""
         return self._broken
-
-    @property
-    def salvaged(self) -> bool:
-        """Whether the blueprint has only what could be read of a file that was opened broken."""
-        return self._broken is not None and self._blueprint is self._salvage
 
     @property
     def aside(self) -> Aside:
@@ -213,21 +207,20 @@ class Session(QObject):
         self.afterwards.catch_up()
         before, self._blueprint = self._blueprint, blueprint
         self.unwritten.follow(blueprint)
-        told, self._broken = self._broken is not broken, broken
-        self._salvage = blueprint if broken is not None else None
+        told = self._broken is not broken
+        self._broken = broken
         self._aside = NOTHING
         # Clearing the history emits signals whose listeners read all of the state above.
         self._branch = first_branch(blueprint)
         self._selection, self._fact = (), None
         self.places.clear()
         self.history.clear()
-        with self.afterwards.opening():
-            self.opened.emit()
-            self.blueprint_changed.emit(before, blueprint)
-            if told:
-                self.broken_changed.emit()
-            self.branch_changed.emit(self._branch)
-            self.selection_changed.emit(())
+        self.opened.emit()
+        self.blueprint_changed.emit(before, blueprint)
+        if told:
+            self.broken_changed.emit()
+        self.branch_changed.emit(self._branch)
+        self.selection_changed.emit(())
 
     def saved(self, blueprint: Blueprint) -> None:
         """Mark the history as clean after a save, perhaps under another name."""

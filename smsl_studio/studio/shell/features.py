@@ -1,4 +1,4 @@
-"""The table of features of a window, what each gets from the others, and names for their parts."""
+"""The table of features of a window, and what each gets from the others."""
 
 from __future__ import annotations
 
@@ -35,22 +35,6 @@ from smsl_studio.studio.running.window_parts import WindowParts
 from smsl_studio.studio.shell.windows import Windows
 
 if TYPE_CHECKING:
-    from smsl_studio.studio.base.canvas.canvas import Canvas
-    from smsl_studio.studio.features.draw.canvas.clipboard import ClipboardVerbs
-    from smsl_studio.studio.features.draw.canvas.draw_verbs import DrawVerbs
-    from smsl_studio.studio.features.draw.canvas.editor import CanvasEditor
-    from smsl_studio.studio.features.draw.canvas.fix_card import FixCard
-    from smsl_studio.studio.features.draw.compare.comparison import Comparison
-    from smsl_studio.studio.features.draw.facts.panel import Facts
-    from smsl_studio.studio.features.draw.find.destinations import Destinations
-    from smsl_studio.studio.features.draw.find.palette import Palette
-    from smsl_studio.studio.features.draw.panels.findings import Findings
-    from smsl_studio.studio.features.draw.panels.history import History
-    from smsl_studio.studio.features.draw.panels.library import Library
-    from smsl_studio.studio.features.draw.panels.outline import Outline
-    from smsl_studio.studio.features.draw.panels.properties import Properties
-    from smsl_studio.studio.features.draw.safety.safety import Safety
-    from smsl_studio.studio.features.draw.source.pane import SourcePane
     from smsl_studio.studio.features.inspection.panel import InspectionPanel
     from smsl_studio.studio.features.replay.playback import ReplayVerbs
     from smsl_studio.studio.features.room.page import RoomPage
@@ -94,7 +78,7 @@ class Features(QObject):
         self.approval = ApprovalFeature(parts)
         self.export.trust = lambda: self.approval.badge.said
         self.approval.compare = self.draw.comparing.with_signed
-        self.approval.store.told = self.draw.back.set_stored
+        self.approval.store.told = self.draw.library.set_stored
         self.merge = MergeFeature(parts, shell)
         self.rules = RulesFeature(parts, shell)
         self.start = StartFeature(parts, shell)
@@ -121,7 +105,7 @@ class Features(QObject):
         self.run.part.when_made(self._introduce)
         self.replay.part.when_made(self._introduce_replay)
         windows.persons.changed.connect(self.supervise.refresh)
-        self.draw.back.caret_moved.connect(self.caret_moved)
+        self.draw.source.caret_moved.connect(self.caret_moved)
 
     def __iter__(self) -> Iterator[Feature]:
         yield from (self.draw, self.inspection, self.approval, self.merge, self.branch_map)
@@ -233,7 +217,7 @@ class Features(QObject):
 
     def tell_caret(self) -> None:
         """Emit ``caret_moved`` again, if the source has the focus."""
-        self.draw.back.tell_caret()
+        self.draw.source.tell_caret()
 
     def below(self, top: QWidget) -> QWidget:
         """The widget ``top`` with the bar below it that asks about a changed file."""
@@ -288,98 +272,8 @@ class Features(QObject):
     def _light_source(self, active: Mapping[str, str], _: str) -> None:
         """Highlight the active states in the source."""
         there = active if self.run.pane.run.exists else {}
-        self.draw.back.set_active(Address(sb, state) for sb, state in there.items())
+        self.draw.source.set_active(Address(sb, state) for sb, state in there.items())
 
     def _tell_phase(self) -> None:
         run, other = self.run.pane.run, self.run.pane.other
         self.phase_shown.emit(*phase_words(run.phase, run.over), run.sentence, other)
-
-
-class NamedParts:
-    """The parts of the features by name. The shell itself uses ``features``.
-
-    A part that nobody has looked at yet is made when its name is read. A panel needs no name here:
-    ``docks.panel`` gives it.
-    """
-
-    features: Features
-
-    @property
-    def canvas(self) -> Canvas:
-        """The drawing."""
-        return self.features.draw.canvas
-
-    @property
-    def editor(self) -> CanvasEditor:
-        """What turns gestures on the drawing into edits."""
-        return self.features.draw.editor
-
-    @property
-    def fix_card(self) -> FixCard:
-        """The card of a finding."""
-        return self.features.draw.fix_card
-
-    @property
-    def drawing(self) -> DrawVerbs:
-        """The verbs of the drawing."""
-        return self.features.draw.drawing
-
-    @property
-    def clipping(self) -> ClipboardVerbs:
-        """Cut, copy and paste."""
-        return self.features.draw.clipping
-
-    @property
-    def outline(self) -> Outline:
-        """The panel Outline."""
-        return self.features.draw.outline
-
-    @property
-    def library(self) -> Library:
-        """The panel Library."""
-        return self.features.draw.back.library()
-
-    @property
-    def history(self) -> History:
-        """The panel History."""
-        return self.features.draw.back.history()
-
-    @property
-    def facts(self) -> Facts:
-        """The panel Facts."""
-        return self.features.draw.facts
-
-    @property
-    def properties(self) -> Properties:
-        """The panel Properties."""
-        return self.features.draw.properties
-
-    @property
-    def source(self) -> SourcePane:
-        """The panel Source."""
-        return self.features.draw.back.source()
-
-    @property
-    def findings(self) -> Findings:
-        """The panel Findings."""
-        return self.features.draw.findings
-
-    @property
-    def comparing(self) -> Comparison:
-        """The comparison with another version."""
-        return self.features.draw.comparing
-
-    @property
-    def safety(self) -> Safety:
-        """The journal and the watch over the files."""
-        return self.features.draw.safety
-
-    @property
-    def going(self) -> Destinations:
-        """Where a search leads."""
-        return self.features.draw.going
-
-    @property
-    def command_palette(self) -> Palette:
-        """The command palette."""
-        return self.features.draw.palette

@@ -26,7 +26,7 @@ from smsl_studio.studio.running.window_parts import WindowParts
 from smsl_studio.studio.shell.announcer import Announcer
 from smsl_studio.studio.shell.crash_page import crash_page
 from smsl_studio.studio.shell.departure import Departure
-from smsl_studio.studio.shell.features import Features, NamedParts
+from smsl_studio.studio.shell.features import Features
 from smsl_studio.studio.shell.frame.body import PageBody
 from smsl_studio.studio.shell.frame.captions import Captions
 from smsl_studio.studio.shell.frame.docks import Docks
@@ -45,7 +45,7 @@ from smsl_studio.studio.shell.stop_key import StopKey
 from smsl_studio.studio.shell.windows import Windows
 
 
-class Window(QMainWindow, NamedParts):
+class Window(QMainWindow):
     """One window with one blueprint."""
 
     def __init__(self, windows: Windows) -> None:
@@ -60,6 +60,7 @@ class Window(QMainWindow, NamedParts):
         AutoSave(self.session, self.files, self._settings)
         self.inspector = Inspector(self.session, self)
         self._build_features()
+        self._name_parts()
         self.actions_table = Actions(
             all_actions(self.features, self),
             self,
@@ -99,6 +100,19 @@ class Window(QMainWindow, NamedParts):
         pages |= {page.id: page.make for feature in self.features for page in feature.mode_pages}
         self._modes = Modes(pages, self.body, self.docks, self._settings)
 
+    def _name_parts(self) -> None:
+        """Give the parts of the features names at the window, for tests and scripts.
+
+        The shell itself uses ``features``. A panel needs no name here: ``docks.panel`` gives it.
+        """
+        draw = self.features.draw
+        self.canvas, self.editor, self.fix_card = draw.canvas, draw.editor, draw.fix_card
+        self.drawing, self.clipping = draw.drawing, draw.clipping
+        self.outline, self.library, self.history = draw.outline, draw.library, draw.history
+        self.facts = draw.facts
+        self.properties, self.source, self.findings = draw.properties, draw.source, draw.findings
+        self.comparing, self.safety, self.going = draw.comparing, draw.safety, draw.going
+
     def _build_frame(self) -> None:
         actions, tokens = self.actions_table, self.tokens
         submenus = {
@@ -131,6 +145,7 @@ class Window(QMainWindow, NamedParts):
         self._captions.other = lambda: self.features.other(self.mode)
         for feature in self.features:
             feature.take_actions(actions)
+        self.command_palette = self.features.draw.palette
 
     def _connect(self) -> None:
         session, actions, features = self.session, self.actions_table, self.features

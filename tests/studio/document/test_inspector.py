@@ -17,7 +17,6 @@ from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.blueprint.reading import read_blueprint
 from smsl_studio.front.claim_rows import ClaimAnswers, answered
-from smsl_studio.inspection import inspect as checks
 from smsl_studio.inspection.inspect import inspect
 from smsl_studio.inspection.rules.finding import Finding
 from smsl_studio.library.loaded import Loaded
@@ -53,7 +52,7 @@ def watched(monkeypatch: pytest.MonkeyPatch) -> list[Blueprint]:
         seen.append(blueprint)
         return ()
 
-    monkeypatch.setattr(checks, "inspect", inspected)
+    monkeypatch.setattr(room, "inspect", inspected)
     return seen
 
 
@@ -85,7 +84,7 @@ def test_a_fault_in_a_rule_crashes_where_the_work_is_kept(
     def fail(_: object) -> None:
         raise RuntimeError("a rule of ours")
 
-    monkeypatch.setattr(checks, "inspect", fail)
+    monkeypatch.setattr(room, "inspect", fail)
     with qtbot.captureExceptions() as caught:
         session.edit("Add", lambda bp: editing.add_state(bp, "SB1", "State0"))
         qtbot.waitUntil(lambda: bool(caught))
@@ -113,7 +112,7 @@ def test_undo_and_redo_bring_the_findings_back_without_an_inspection(
     after = inspector.findings
     assert after != before
     seen: list[Blueprint] = []
-    monkeypatch.setattr(checks, "inspect", seen.append)
+    monkeypatch.setattr(room, "inspect", seen.append)
     for _ in range(2):
         session.history.undo()
         assert not inspector.current

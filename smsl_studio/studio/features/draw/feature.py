@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QPoint, QRect
 from PySide6.QtWidgets import QDialog, QVBoxLayout, QWidget
@@ -23,7 +22,6 @@ from smsl_studio.studio.base.feature import (
     Shell,
     whole,
 )
-from smsl_studio.studio.base.late_part import LatePart
 from smsl_studio.studio.base.passing_menu import passing_menu
 from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.base.words import counted
@@ -37,7 +35,6 @@ from smsl_studio.studio.features.draw.canvas.context_menu import context_menu
 from smsl_studio.studio.features.draw.canvas.draw_verbs import DrawVerbs
 from smsl_studio.studio.features.draw.canvas.editor import CanvasEditor
 from smsl_studio.studio.features.draw.canvas.fix_card import FixCard
-from smsl_studio.studio.features.draw.canvas.keys import CANVAS_KEYS
 from smsl_studio.studio.features.draw.canvas.library_verbs import (
     LibraryVerbs,
     fill_templates,
@@ -56,6 +53,8 @@ from smsl_studio.studio.features.draw.facts.panel import Facts
 from smsl_studio.studio.features.draw.find.bar import DrawingFindBar
 from smsl_studio.studio.features.draw.find.destinations import Destinations
 from smsl_studio.studio.features.draw.find.drawing_search import DrawingSearch
+from smsl_studio.studio.features.draw.find.finder import Finder
+from smsl_studio.studio.features.draw.find.palette import Palette
 from smsl_studio.studio.features.draw.menus.blueprint import blueprint_actions
 from smsl_studio.studio.features.draw.menus.compare import compare_actions
 from smsl_studio.studio.features.draw.menus.edit import NOT_SHOWN, edit_actions
@@ -64,19 +63,35 @@ from smsl_studio.studio.features.draw.menus.samples import sample_actions
 from smsl_studio.studio.features.draw.menus.shapes import shape_actions
 from smsl_studio.studio.features.draw.menus.view import view_actions
 from smsl_studio.studio.features.draw.menus.walk import walk_actions
-from smsl_studio.studio.features.draw.panels.back_panels import BackPanels
+from smsl_studio.studio.features.draw.panels.branch_table import BranchTable
 from smsl_studio.studio.features.draw.panels.findings import Findings
+from smsl_studio.studio.features.draw.panels.history import History
+from smsl_studio.studio.features.draw.panels.library import Library
+from smsl_studio.studio.features.draw.panels.offers import offers, operation_names
 from smsl_studio.studio.features.draw.panels.outline import Outline
 from smsl_studio.studio.features.draw.panels.properties import Properties
 from smsl_studio.studio.features.draw.safety.safety import Safety
 from smsl_studio.studio.features.draw.shape.shape_verbs import ShapeVerbs
 from smsl_studio.studio.features.draw.source.keys import SOURCE_KEYS
+from smsl_studio.studio.features.draw.source.pane import SourcePane
 from smsl_studio.studio.features.draw.tidings import Tidings
 from smsl_studio.studio.running.window_parts import WindowParts
 
-if TYPE_CHECKING:
-    from smsl_studio.studio.features.draw.find.palette import Palette
-    from smsl_studio.studio.features.draw.panels.branch_table import BranchTable
+CANVAS_KEYS = (
+    ("Add an operation from the selected state, or go on from its new state", "Tab or /"),
+    ("Add a sibling of the selected operation or state", "Shift+Tab"),
+    ("Pan", "Space and drag, or the middle button"),
+    ("Zoom", "Mouse wheel"),
+    ("Add a state there", "Double click on empty canvas"),
+    ("Connect", "Drag from a state's handle"),
+    ("Move the selected states", "Arrows; with Shift by one pixel"),
+    ("Drag without snapping to grid and states", "Alt"),
+    ("Bend the selected operation, move its label", "Drag its line, its label"),
+    ("Remove a bend", "Double click on its handle"),
+    ("Select the next state", "Ctrl and an arrow; with Shift it is added"),
+    ("Select several", "Drag over empty canvas, Shift and click"),
+    ("Edit a selected note, or the title of a selected group", "Enter or F2"),
+)
 
 
 class DrawFeature(Feature):
@@ -86,8 +101,7 @@ class DrawFeature(Feature):
 
     def __init__(self, parts: WindowParts, shell: Shell) -> None:
         session, files, tokens, window = parts.session, parts.files, parts.tokens, parts.window
-        self._parts, self._shell, self._tokens = parts, shell, tokens
-        self._palette: LatePart[Palette] = LatePart(self._make_palette)
+        self._parts, self._shell, self._loaded = parts, shell, Loaded()
         self.canvas = Canvas(tokens)
         self.canvas.collapse.join(parts.collapse)
         self.editor = CanvasEditor(session, self.canvas)
@@ -98,35 +112,36 @@ class DrawFeature(Feature):
         )
         self.notes = DrawnEditor(session, self.canvas)
         self.clipping.drawn = DrawnCopies(session, self.canvas, self.notes)
-        self.outline = Outline(session, tokens)
+        self.outline, self.library = Outline(session, tokens), Library(session, tokens)
         self.using = LibraryVerbs(self.editor)
-        self.back = BackPanels(parts, self.using.use)
+        self.library.use = self.using.use
         self.facts = Facts(session, tokens)
         self.drawing.add_fact = self._add_fact
-        self.properties = Properties(session, tokens)
-        self.findings = Findings(session, tokens, lambda: parts.inspector.rules)
+        self.properties, self.source = Properties(session, tokens), SourcePane(session, tokens)
+        self.findings = Findings(session, tokens, parts.inspector.rules)
+        self.history, self.table = History(session, tokens), BranchTable(session, tokens)
         self.fix_card = FixCard(session, self.canvas, tokens)
         dialogs = Dialogs(window)
         self.properties.file.ask_file = dialogs.file_to_import
         self.comparing = Comparison(session, files, dialogs.file_to_compare, tokens, window)
         self.shapes = ShapeVerbs(session, self.canvas, window)
         self.comparing.wish = parts.collapse.wish
-        self.safety = Safety(parts, self.back, self.comparing.with_version)
-        self.going = Destinations(shell, self.properties, self.back.library, files)
+        self.safety = Safety(parts, self.source, self.comparing.with_version)
+        self.going = Destinations(shell, self.properties, self.library, files)
         bar = DrawingFindBar(tokens)
         self.search = DrawingSearch(session, self.canvas, bar, parts.inspector, self.going)
-        self.search.offered = lambda: self.back.offered
+        self.search.offered = lambda: self.library.offered
         self.search.show_drawn = self.notes.show
         self.pages = {"draw": lambda: Page(_below(self.search.bar, self.canvas), self.canvas)}
-        library, source, *below = self.back.panels()
         self.panels = (
             DockPanel("Outline", "left", self.outline, focus=self.outline.tree),
             DockPanel("Facts", "left", self.facts, self.facts.tools),
-            library,
+            DockPanel("Library", "left", self.library, self.library.tools),
             DockPanel("Properties", "right", self.properties),
-            source,
+            DockPanel("Source", "right", self.source),
             DockPanel("Findings", "bottom", self.findings, self.findings.tools),
-            *below,
+            DockPanel("History", "bottom", self.history),
+            DockPanel("Table", "bottom", self.table),
         )
         self.submenus = {
             "open": ("Open recent", lambda menu: fill_recent(files, menu)),
@@ -161,10 +176,12 @@ class DrawFeature(Feature):
         )  # fmt: skip
 
     def take_actions(self, actions: Actions) -> None:
-        """Build what needs the actions, and connect all signals."""
-        parts = self._parts
+        """Build what needs the actions (palette, tidings) and connect all signals."""
+        parts, session = self._parts, self._parts.session
         self._actions = actions
-        marked = (self.outline, self.back, self.fix_card)
+        finder = Finder(session, actions, self.findings, self.going)
+        self.palette = Palette(finder, parts.tokens, parts.window)
+        marked = (self.outline, self.library, self.source, self.fix_card, self.table)
         say = self._shell.say_findings
         self.tidings = Tidings(parts, self.findings, self.editor, marked, say, actions.refresh)
         for running in ("run_play", "run_step"):
@@ -172,24 +189,9 @@ class DrawFeature(Feature):
         self._follow_session()
         self._connect_parts(actions)
 
-    @property
-    def palette(self) -> Palette:
-        """The command palette."""
-        return self._palette()
-
-    def _make_palette(self) -> Palette:
-        from smsl_studio.studio.features.draw.find.finder import Finder
-        from smsl_studio.studio.features.draw.find.palette import Palette
-
-        finder = Finder(self._parts.session, self._actions, self.findings, self.going)
-        return Palette(finder, self._tokens, self._parts.window)
-
-    def _introduce_table(self, table: BranchTable) -> None:
-        table.action_wanted.connect(lambda name: self._actions[name].trigger())
-        table.shown_wanted.connect(self.canvas.reveal)
-
     def _follow_session(self) -> None:
         session = self._parts.session
+        session.blueprint_changed.connect(lambda *_: self._show_offers())
         session.opened.connect(self.tidings.forget)
         session.opened.connect(self._parts.toast.hide)
         session.opened.connect(self.canvas.setFocus)
@@ -219,23 +221,25 @@ class DrawFeature(Feature):
         self.drawing.ways.told.connect(self._tell_ways)
         self.properties.text_lost.connect(toast.bring_back)
         self.properties.ways_wanted.connect(actions["show_ways"].trigger)
-        self.properties.verb_wanted.connect(lambda name: actions[name].trigger())
+        for line in (self.properties, self.properties.line, self.properties.state.notes.place):
+            line.verb_wanted.connect(lambda name: actions[name].trigger())
         self.fix_card.fix_wanted.connect(self.findings.fix)
         for panel in (self.outline, self.facts):
             panel.fact_wanted.connect(self.going.show_fact)
         self.outline.file_wanted.connect(lambda file: self._parts.files.open(Path(file)))
         self.outline.verb_wanted.connect(self.clipping.on_branch)
-        self.outline.action_wanted.connect(lambda name: actions[name].trigger())
-        self.back.table.when_made(self._introduce_table)
+        for acting in (self.outline, self.table):
+            acting.action_wanted.connect(lambda name: actions[name].trigger())
+        self.table.shown_wanted.connect(self.canvas.reveal)
         self.outline.branch_deleted.connect(self._say_deleted)
         self.drawing.values.fact_wanted.connect(self.going.show_fact)
-        self.properties.values_wanted.connect(self.drawing.values.open)
+        self.properties.state.values_wanted.connect(self.drawing.values.open)
         self.canvas.verb_wanted.connect(lambda name: actions[name].trigger())
         self.canvas.context_wanted.connect(self._open_context_menu)
         self.canvas.drawn_menu_wanted.connect(self._open_drawn_menu)
         self.notes.chosen_changed.connect(actions.refresh)
         self.notes.chosen_changed.connect(lambda: self.properties.show_drawn(self.notes.chosen))
-        self.properties.note_wanted.connect(self._note_on)
+        self.properties.state.notes.note_wanted.connect(self._note_on)
         self.canvas.overlays.empty.sample_wanted.connect(self._offer_samples)
 
     # Called by the shell.
@@ -259,24 +263,23 @@ class DrawFeature(Feature):
 
     def set_plugins(self, loaded: Loaded, known: bool) -> None:
         """Offer the operations of the plugins in the library, the source and the forms."""
-        self.back.set_plugins(loaded)
+        self._loaded = loaded
+        self._show_offers()
+        self.source.set_library(operation_names(loaded))
         self.properties.set_plugins(loaded)
         self.editor.warning.loaded = loaded
         self.facts.loaded = loaded
 
     def settle(self) -> None:
         """Take over the text that is being typed in the source, and arrow keys that wait."""
-        self.back.settle()
+        self.source.settle()
         self.editor.nudge.settle()
         self.editor.bends.settle()
 
     def set_tokens(self, tokens: Tokens) -> None:
         """Use the colours of another theme."""
         canvas, bar = self.canvas, self.search.bar
-        self._tokens = tokens
-        if self._palette.made is not None:
-            self._palette.made.set_tokens(tokens)
-        for part in (self.back, canvas, bar, self.fix_card, self.comparing, self.safety):
+        for part in (canvas, bar, self.palette, self.fix_card, self.comparing, self.safety):
             part.set_tokens(tokens)
         for panel in self.panels:
             if isinstance(panel.widget, Coloured):
@@ -285,7 +288,7 @@ class DrawFeature(Feature):
     def stop(self) -> None:
         """End all background work of the drawing, because the window closes."""
         tidying = self.drawing.beside
-        parts = (self.back, self.comparing, self.findings, self.clipping, self.properties,
+        parts = (self.source, self.comparing, self.findings, self.clipping, self.properties,
                  tidying, self.shapes)  # fmt: skip
         for part in parts:
             part.stop()
@@ -298,6 +301,9 @@ class DrawFeature(Feature):
         return difference_dialog(entry, tokens, parent)
 
     # Reactions to the session.
+
+    def _show_offers(self) -> None:
+        self.library.set_offers(offers(self._loaded, self._parts.session.blueprint))
 
     def _show_broken(self) -> None:
         """Show the source if the text cannot be read, because its faults are marked there."""

@@ -11,6 +11,7 @@ from typing import Protocol
 
 from PySide6.QtCore import QObject
 
+from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.inspection.rules.finding import Finding
 from smsl_studio.studio.base.words import worst
 from smsl_studio.studio.document.broken import Broken, faults_of
@@ -60,6 +61,7 @@ class Tidings(QObject):
         session.broken_changed.connect(self._broken)
         self.asked: Callable[[], tuple[Finding, ...]] = lambda: ()
         """Returns the open comments of a review, as findings."""
+        self._salvaged: Blueprint | None = None
         self._inspector, self._files = inspector, parts.files
         self._checked = False
 
@@ -95,8 +97,10 @@ class Tidings(QObject):
         self._say("checking")
 
     def _opened(self) -> None:
-        """Another file was opened, whose findings nobody has asked for."""
+        """Remember the blueprint of a file that was broken when opened: it holds only what could
+        be read."""
         self._checked = False
+        self._salvaged = self._session.blueprint if self._session.broken is not None else None
 
     def _broken(self) -> None:
         broken = self._session.broken
@@ -113,11 +117,12 @@ class Tidings(QObject):
         """The banner of the canvas while the text cannot be read; empty if it can be read."""
         if broken is None:
             return ""
+        shown = self._session.blueprint
         drawn = "The drawing shows the last version that could be read."
-        if self._session.salvaged:
+        if shown is self._salvaged:
             drawn = (
                 "The drawing shows what could be read."
-                if len(self._session.blueprint)
+                if len(shown)
                 else "Nothing of it can be drawn."
             )
         return f"The text of {PurePath(broken.file).name} cannot be read. {drawn}"
@@ -130,7 +135,7 @@ class Tidings(QObject):
             self._found(self._inspector.findings)
 
     def _found(self, findings: tuple[Finding, ...]) -> None:
-        if self._session.salvaged:
+        if self._session.broken is not None and self._session.blueprint is self._salvaged:
             # The unreadable part is missing in it; that is no mistake and needs no fix.
             findings = ()
         if not self._session.blueprint.state_count:

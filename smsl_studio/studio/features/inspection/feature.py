@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.errors import StudioError
+from smsl_studio.front.views.claim_run import RunStep
 from smsl_studio.smsl.files import save_document
 from smsl_studio.studio.base.actions import Action
 from smsl_studio.studio.base.canvas.canvas import Canvas
@@ -21,7 +22,6 @@ from smsl_studio.studio.features.inspection.unproved import Unproved
 from smsl_studio.studio.running.window_parts import WindowParts
 
 if TYPE_CHECKING:
-    from smsl_studio.front.views.claim_run import RunStep
     from smsl_studio.studio.features.inspection.panel import InspectionPanel
 
 NAME = "Inspection"

@@ -6,6 +6,7 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from smsl_studio.blueprint.merge.choice import refusal_of_open
 from smsl_studio.studio.base.actions import Action
 from smsl_studio.studio.base.beside import Beside
 from smsl_studio.studio.base.feature import Feature, ModePage, Page, Shell
@@ -133,11 +134,7 @@ class MergeFeature(Feature):
     def _offer(self, count: int | None) -> None:
         left = len(self.merge.open_ones) if count is not None else 0
         self.badge.show_number(left)
-        refusal = None
-        if left:
-            from smsl_studio.blueprint.merge.choice import refusal_of_open
-
-            refusal = refusal_of_open(self._parts.session.blueprint)
+        refusal = refusal_of_open(self._parts.session.blueprint) if left else None
         self._shell.hold_run(refusal_words(refusal) if refusal else "")
         if count != self._offered:
             self._offered = count

@@ -3,21 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Signal
 
+from smsl_studio.blueprint.merge import Conflict, Side, choose, chosen_side, open_conflicts
+from smsl_studio.blueprint.merge.conflict import Path
+from smsl_studio.blueprint.merge.sides import MergeSides, sides_of_entries
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.studio.document.files.files import Files
 from smsl_studio.studio.document.session import Session
 
-if TYPE_CHECKING:
-    from smsl_studio.blueprint.merge import Conflict, Side
-    from smsl_studio.blueprint.merge.conflict import Path
-    from smsl_studio.blueprint.merge.sides import MergeSides
-
-ENTRIES = "_conflicts"
-"""Where a merged file keeps its open conflicts. Most files have none, so a merge is loaded late."""
 WORDS = {"ours": "Mine", "theirs": "Theirs", "base": "Base"}
 
 
@@ -61,14 +56,10 @@ class OpenMerge(QObject):
         """The version that was chosen; None for an open conflict, or for another value."""
         if self.is_open(conflict):
             return None
-        from smsl_studio.blueprint.merge import chosen_side
-
         return chosen_side(self._session.blueprint, conflict)
 
     def take(self, conflict: Conflict, side: Side) -> bool:
         """Choose a version for a conflict, as one step of the history; False if it is refused."""
-        from smsl_studio.blueprint.merge import choose
-
         words = f"Take {WORDS[side].lower()} for {conflict.address}"
         return self._session.edit(words, lambda blueprint: choose(blueprint, conflict, side))
 
@@ -95,11 +86,6 @@ class OpenMerge(QObject):
             self._forget()
             self.changed.emit()
             return
-        if not self.conflicts and ENTRIES not in after.document.values:
-            return
-        from smsl_studio.blueprint.merge import open_conflicts
-        from smsl_studio.blueprint.merge.sides import sides_of_entries
-
         now = open_conflicts(after)
         if not now and not self.conflicts:
             return

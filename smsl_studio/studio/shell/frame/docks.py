@@ -14,7 +14,6 @@ from PySide6.QtWidgets import QApplication, QDockWidget, QMainWindow, QSplitter,
 
 from smsl_studio.studio.base.drawer import Drawer
 from smsl_studio.studio.base.feature import DockPanel
-from smsl_studio.studio.base.late_panel import LatePanel
 from smsl_studio.studio.base.tabs import Tabs
 from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.base.words import series
@@ -87,9 +86,8 @@ class Docks(QObject):
         return series([one.name for one in self.panels if one.side == side]).capitalize()
 
     def panel(self, name: str) -> QWidget:
-        """The panel of this name. It is made now if nobody has looked at it yet."""
-        place = next(one.widget for one in self.panels if one.name == name)
-        return place.panel() if isinstance(place, LatePanel) else place
+        """The panel of this name."""
+        return next(one.widget for one in self.panels if one.name == name)
 
     def set_first_sizes(self) -> None:
         """Set the sizes of the design, if none are remembered."""

@@ -4,14 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from pathlib import Path
-from typing import TYPE_CHECKING, Protocol
+from typing import Protocol
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.studio.document.files.files import Files
+from smsl_studio.studio.features.draw.panels.library import Library
 from smsl_studio.studio.features.draw.panels.properties import Properties
-
-if TYPE_CHECKING:
-    from smsl_studio.studio.features.draw.panels.library import Library
 
 
 class Panels(Protocol):
@@ -29,7 +27,7 @@ class Destinations:
     """
 
     def __init__(
-        self, panels: Panels, properties: Properties, library: Callable[[], Library], files: Files
+        self, panels: Panels, properties: Properties, library: Library, files: Files
     ) -> None:
         self._panels, self._properties, self._files = panels, properties, files
         self._library = library
@@ -48,7 +46,7 @@ class Destinations:
     def show_offered(self, pattern: str) -> None:
         """Show an operation that a plugin offers, in the library."""
         self._panels.show_tab("Library")
-        self._library().reveal(pattern)
+        self._library.reveal(pattern)
 
     def open_file(self, path: Path) -> None:
         """Open a file in this window."""

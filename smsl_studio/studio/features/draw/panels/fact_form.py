@@ -27,7 +27,6 @@ from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.base.words import as_it_is
 from smsl_studio.studio.document.session import Session
 from smsl_studio.studio.features.draw.panels.asking_lines import AskingLines
-from smsl_studio.studio.features.draw.panels.fact_name import expansion
 from smsl_studio.studio.features.draw.panels.note_form import (
     NoteEntry,
     NoteForm,
@@ -222,6 +221,17 @@ class FactForm(NoteForm):
     def _write(self, words: Mapping[str, Any], step: str) -> None:
         changes = {(self._branch, str(self._digit)): words}
         self.edit(step, lambda bp: change_notes(bp, "_facts", changes), self._said.say)
+
+
+def expansion(blueprint: Blueprint, branch: StateBranch, digit: int, sub: str) -> str:
+    """A sentence that explains when the fact is on, if a sub-SB expands it."""
+    if sub not in blueprint.branches:
+        return f"{sub} is no State Branch of this blueprint."
+    state = blueprint[sub].activating or "not drawn yet"
+    return (
+        f"“{branch.fact_name(digit)}” is on exactly while {sub} stands in its "
+        f"activating state, {state}."
+    )
 
 
 def _value_misfits(misfits: Mapping[str, str]) -> str:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from functools import partial
 
 from PySide6.QtCore import QModelIndex, QObject, Qt, Signal
@@ -35,10 +35,7 @@ NOTHING = "Nothing is drawn yet, so nothing was checked. Add the first state."
 
 
 class Findings(Panel):
-    """The list of findings. ``tools`` stands at the right of its tab: the summary and “Fix all”.
-
-    ``rules`` returns the number of rules that were checked.
-    """
+    """The list of findings. ``tools`` stands at the right of its tab: the summary and “Fix all”."""
 
     count_changed = Signal(int)
     claim_wanted = Signal(object)
@@ -49,11 +46,7 @@ class Findings(Panel):
     """Show what is missing in an unfinished drawing as mistakes."""
 
     def __init__(
-        self,
-        session: Session,
-        tokens: Tokens,
-        rules: Callable[[], int],
-        parent: QWidget | None = None,
+        self, session: Session, tokens: Tokens, rules: int = 0, parent: QWidget | None = None
     ) -> None:
         super().__init__("Findings", parent)
         self._session, self._rules, self._tokens = session, rules, tokens
@@ -166,7 +159,7 @@ class Findings(Panel):
             return
         self.list.show_findings(self._findings)
         errors = sum(f.severity is Severity.ERROR for f in findings)
-        rules = counted(self._rules(), "rule")
+        rules = counted(self._rules, "rule")
         drawn = self._session.blueprint.state_count > 0
         self.check_button.setVisible(any(map(to_finish, findings)))
         self.summary.setText(

@@ -24,7 +24,8 @@ from smsl_studio.studio.base.tips import tip_text
 from smsl_studio.studio.base.words import counted, first_lines
 from smsl_studio.studio.document.attempt import try_edit
 from smsl_studio.studio.document.session import Session
-from smsl_studio.studio.features.draw.panels.fact_name import expansion, fact_name_step
+from smsl_studio.studio.features.draw.panels.fact_form import expansion
+from smsl_studio.studio.features.draw.panels.fact_name import fact_name_step
 from smsl_studio.studio.features.draw.panels.frame import Panel
 from smsl_studio.studio.features.draw.panels.header_facts import (
     MOST,
@@ -129,7 +130,7 @@ class HeaderForm(Panel):
 
     def _another(self, _: str) -> None:
         self.refusal.say("")
-        self._session.afterwards.show(self.show_header)
+        self.show_header()
 
     def _choice(self, words: str, key: str, tip: str) -> Combo:
         combo = Combo()

@@ -9,7 +9,7 @@ from itertools import chain
 
 from PySide6.QtCore import QMimeData, QModelIndex, Qt
 from PySide6.QtGui import QGuiApplication, QResizeEvent
-from PySide6.QtWidgets import QLabel, QLineEdit, QVBoxLayout
+from PySide6.QtWidgets import QLabel, QLineEdit, QVBoxLayout, QWidget
 
 from smsl_studio.blueprint.address import Address, note_key
 from smsl_studio.blueprint.annotations import PLAIN, OperationNote
@@ -26,7 +26,6 @@ from smsl_studio.studio.features.draw.canvas.library_drop import library_data
 from smsl_studio.studio.features.draw.canvas.template_drop import TEMPLATES
 from smsl_studio.studio.features.draw.panels.frame import Panel
 from smsl_studio.studio.features.draw.panels.library_list import LibraryList
-from smsl_studio.studio.features.draw.panels.offers import LibraryEntry
 
 MOST = 2_000
 """At most this many operations of the blueprint have a row; the filter finds the others."""
@@ -34,6 +33,16 @@ LOW = 200
 """A panel that is lower (pixels) has no room for the hint."""
 _COPY = "Press Enter to copy its name, for a binding or an import."
 NO_PLUGIN = "No plugin offers operations. Add a plugin folder."
+
+
+@dataclass(frozen=True)
+class LibraryEntry:
+    """An operation that a plugin offers: its name or pattern, and the plugin."""
+
+    pattern: str
+    plugin: str
+    names: tuple[str, ...] = ()
+    """The operations of the blueprint whose names match."""
 
 
 @dataclass(frozen=True)
@@ -48,18 +57,18 @@ class Library(Panel):
 
     A click selects the edges of one SB. A row can be dragged to the canvas. Enter uses it there,
     as ``use`` (kind, name) does; if that returns False, Enter is as a click. At a blueprint of the
-    store Enter copies the name by which a binding or an import calls it. ``shown`` stands at the
-    right of the tab and tells the number of rows.
+    store Enter copies the name by which a binding or an import calls it.
     """
 
-    def __init__(self, session: Session, tokens: Tokens, shown: QLabel) -> None:
-        super().__init__("Library")
+    def __init__(self, session: Session, tokens: Tokens, parent: QWidget | None = None) -> None:
+        super().__init__("Library", parent)
         self._session, self._tokens = session, tokens
         self.use: Callable[[str, str], bool] = lambda kind, name: False
         self._offers: tuple[LibraryEntry, ...] = ()
         self._stored: tuple[StoredLine, ...] = ()
         self._severities: dict[str, str] = {}
-        self.tools = shown
+        self.tools: QLabel = label("", "small")
+        self.tools.setContentsMargins(0, 0, 8, 0)
         self.filter = QLineEdit()
         self.filter.setPlaceholderText("Filter operations")
         self.filter.setAccessibleName("Filter operations")
@@ -109,6 +118,11 @@ class Library(Panel):
         if tuple(lines) != self._stored:
             self._stored = tuple(lines)
             self._session.afterwards.show(self._show)
+
+    @property
+    def offered(self) -> tuple[str, ...]:
+        """The names or patterns of the operations that plugins offer."""
+        return tuple(offer.pattern for offer in self._offers)
 
     def reveal(self, pattern: str) -> None:
         """Mark the row of an operation that a plugin offers."""

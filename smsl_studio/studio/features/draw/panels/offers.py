@@ -2,20 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.library.loaded import Loaded
-
-
-@dataclass(frozen=True)
-class LibraryEntry:
-    """An operation that a plugin offers: its name or pattern, and the plugin."""
-
-    pattern: str
-    plugin: str
-    names: tuple[str, ...] = ()
-    """The operations of the blueprint whose names match."""
+from smsl_studio.studio.features.draw.panels.library import LibraryEntry
 
 
 def offers(loaded: Loaded, blueprint: Blueprint) -> tuple[LibraryEntry, ...]:

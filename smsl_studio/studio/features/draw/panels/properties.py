@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 from functools import partial
-from typing import TYPE_CHECKING, Any
 
-from PySide6.QtCore import QPoint, Qt, Signal
+from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QLabel, QPushButton, QScrollArea, QWidget
 
 from smsl_studio.blueprint import editing
@@ -21,36 +20,30 @@ from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.base.words import counted
 from smsl_studio.studio.document.session import Session
 from smsl_studio.studio.features.draw.panels.claims_line import ClaimsLine
+from smsl_studio.studio.features.draw.panels.drawn_form import DrawnForm
+from smsl_studio.studio.features.draw.panels.fact_form import FactForm
 from smsl_studio.studio.features.draw.panels.file_form import FileForm
 from smsl_studio.studio.features.draw.panels.frame import Panel
 from smsl_studio.studio.features.draw.panels.header_form import HeaderForm
 from smsl_studio.studio.features.draw.panels.last_change_form import LastChangeForm
+from smsl_studio.studio.features.draw.panels.line_form import LineForm
+from smsl_studio.studio.features.draw.panels.operation_form import OperationForm
 from smsl_studio.studio.features.draw.panels.refused_text import RefusedText, refused_texts
-
-if TYPE_CHECKING:
-    from smsl_studio.studio.features.draw.panels.drawn_form import DrawnForm
-    from smsl_studio.studio.features.draw.panels.fact_form import FactForm
-    from smsl_studio.studio.features.draw.panels.line_form import LineForm
-    from smsl_studio.studio.features.draw.panels.operation_form import OperationForm
-    from smsl_studio.studio.features.draw.panels.state_form import StateForm
+from smsl_studio.studio.features.draw.panels.state_form import StateForm
 
 
 class Properties(QScrollArea):
     """A form for the selection or a fact, then the branch header, the number of hazards, the file.
 
-    The selection is one state, one operation, or what several elements share. The forms of a
-    selection and of a fact would be a third of the window's widgets; each is made when it is first
-    shown.
+    The selection is one state, one operation, or what several elements share. The forms of a fact
+    and of an operation are more than a quarter of the window's widgets; each is made when it is
+    first shown.
     """
 
     ways_wanted = Signal()
     """Show the ways between the two selected states."""
     verb_wanted = Signal(str)
     """The id of a window action that a button of a form stands for."""
-    values_wanted = Signal(int, QPoint)
-    """(digit, point of the screen): the person clicked this fact of the states."""
-    note_wanted = Signal(object, str)
-    """(Address of the state, key): show this note; add one if the key is empty."""
     text_lost = Signal(str, object)
     """(sentence, call): a typed text that was refused is not shown any more; the call brings it
     back."""
@@ -60,7 +53,6 @@ class Properties(QScrollArea):
         self._session, self._tokens, self._loaded = session, tokens, Loaded()
         self._fact, self._operation = LatePart(self._make_fact), LatePart(self._make_operation)
         self._drawn = LatePart(self._make_drawn)
-        self._state, self._line = LatePart(self._make_state), LatePart(self._make_line)
         self._shown_drawn: DrawnKey | None = None
         self.setAccessibleName("Properties")
         FocusLine(self)
@@ -68,6 +60,8 @@ class Properties(QScrollArea):
         self.setFrameShape(QScrollArea.Shape.NoFrame)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self._inner = inner = Panel("Properties")
+        self.state = StateForm(session, tokens)
+        self.line = LineForm()
         self.changed_by = LastChangeForm(session, inner)
         self.several = _Several(session)
         # It shows itself; without a parent it would be a window for a moment.
@@ -75,7 +69,7 @@ class Properties(QScrollArea):
         self.claims = ClaimsLine(session)
         self.file = FileForm(session, tokens)
         self._rule = rule()
-        above = (self.changed_by, self.several)
+        above = (self.state, self.line, self.changed_by, self.several)
         for widget in (*above, self._rule, self.header, rule(), self.claims, rule(), self.file):
             inner.column.addWidget(widget)
         inner.column.addStretch(1)
@@ -90,16 +84,6 @@ class Properties(QScrollArea):
                                   session.blueprint_changed)  # fmt: skip
         self.header.fact_wanted.connect(self.show_fact)
         self.several.ways.clicked.connect(self.ways_wanted)
-
-    @property
-    def state(self) -> StateForm:
-        """The form of states."""
-        return self._state()
-
-    @property
-    def line(self) -> LineForm:
-        """The form of the lines of operations."""
-        return self._line()
 
     @property
     def fact(self) -> FactForm:
@@ -117,56 +101,27 @@ class Properties(QScrollArea):
         return self._drawn()
 
     def _make_drawn(self) -> DrawnForm:
-        from smsl_studio.studio.features.draw.panels.drawn_form import DrawnForm
-
         form = DrawnForm(self._session, self._tokens)
         form.verb_wanted.connect(self.verb_wanted)
-        self._insert(form, self._drawn)
-        return form
-
-    def _make_state(self) -> StateForm:
-        from smsl_studio.studio.features.draw.panels.state_form import StateForm
-
-        form = StateForm(self._session, self._tokens)
-        form.values_wanted.connect(self.values_wanted)
-        form.notes.place.verb_wanted.connect(self.verb_wanted)
-        form.notes.note_wanted.connect(self.note_wanted)
-        self._insert(form, self._state)
-        return form
-
-    def _make_line(self) -> LineForm:
-        from smsl_studio.studio.features.draw.panels.line_form import LineForm
-
-        form = LineForm()
-        form.verb_wanted.connect(self.verb_wanted)
-        self._insert(form, self._line)
+        self._insert(form, self.state)
         return form
 
     def _make_fact(self) -> FactForm:
-        from smsl_studio.studio.features.draw.panels.fact_form import FactForm
-
         form = FactForm(self._session, self._tokens)
         form.left.connect(self._session.leave_fact)
         form.sub_wanted.connect(self._session.show_branch)
-        self._insert(form, self._fact)
+        self._insert(form, self.state)
         return form
 
     def _make_operation(self) -> OperationForm:
-        from smsl_studio.studio.features.draw.panels.operation_form import OperationForm
-
         form = OperationForm(self._session, self._tokens)
         form.set_plugins(self._loaded)
-        self._insert(form, self._operation)
+        self._insert(form, self.line)
         return form
 
-    def _insert(self, form: QWidget, part: LatePart[Any]) -> None:
-        """Put a form, hidden, into its place among the others, for the eye and for the key Tab."""
+    def _insert(self, form: QWidget, follower: QWidget) -> None:
+        """Put a form, hidden, before another one, for the eye and for the key Tab."""
         form.hide()
-        order: tuple[LatePart[Any], ...] = (
-            self._fact, self._drawn, self._state, self._operation, self._line
-        )  # fmt: skip
-        made = (one.made for one in order[order.index(part) + 1 :])
-        follower = next((one for one in made if one is not None), self.changed_by)
         column = self._inner.column
         column.insertWidget(column.indexOf(follower), form)
         put_before(form, follower)
@@ -174,8 +129,8 @@ class Properties(QScrollArea):
     def set_tokens(self, tokens: Tokens) -> None:
         """Use the colours of another theme."""
         self._tokens = tokens
-        made = self._fact.made, self._operation.made, self._drawn.made, self._state.made
-        for form in (self.header, self.file, *made):
+        made = self._fact.made, self._operation.made, self._drawn.made
+        for form in (self.state, self.header, self.file, *made):
             if form is not None:
                 form.set_tokens(tokens)
 
@@ -247,9 +202,8 @@ class Properties(QScrollArea):
             self._drawn.made.setVisible(drawn)
         if self._fact.made is not None:
             self._fact.made.setVisible(fact is not None)
-        if self._state.made is not None:
-            self._state.made.setVisible(bool(states) and not edges)
-        for form in (self._operation.made, self._line.made):
+        self.state.setVisible(bool(states) and not edges)
+        for form in (self._operation.made, self.line):
             if form is not None:
                 form.setVisible(bool(edges) and not states)
         self.changed_by.show_element(selection[0] if len(selection) == 1 else None)

@@ -13,9 +13,9 @@ from smsl_studio.studio.document.journal.entry import KeptText
 from smsl_studio.studio.document.journal.place import folder_of
 from smsl_studio.studio.document.journal.unsaved import Unsaved
 from smsl_studio.studio.document.journal.writer import Journal
-from smsl_studio.studio.features.draw.panels.back_panels import BackPanels
 from smsl_studio.studio.features.draw.safety.change_bar import ChangeBar
 from smsl_studio.studio.features.draw.safety.outside import OutsideChanges
+from smsl_studio.studio.features.draw.source.pane import SourcePane
 from smsl_studio.studio.running.window_parts import WindowParts
 
 if TYPE_CHECKING:
@@ -29,7 +29,7 @@ class Safety(QObject):
     def __init__(
         self,
         parts: WindowParts,
-        source: BackPanels,
+        source: SourcePane,
         compare: Compare,
     ) -> None:
         super().__init__(parts.window)
@@ -40,7 +40,7 @@ class Safety(QObject):
         self.journal = Journal(unsaved, folder_of(self._home), self)
         self.journal.failed.connect(toast.warn)
         for signal in (session.blueprint_changed, session.broken_changed, session.edited_changed,
-                       files.changed, source.typed):  # fmt: skip
+                       files.changed, source.editor.typed):  # fmt: skip
             signal.connect(lambda *_: self.journal.changed())
         self.bar = ChangeBar(parts.tokens)
         self.outside = OutsideChanges(session, files, self.bar, compare, self)

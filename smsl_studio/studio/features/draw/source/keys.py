@@ -3,16 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING
 
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QKeyEvent
 
-if TYPE_CHECKING:
-    from smsl_studio.studio.features.draw.source.pointer import TextPointer
-    from smsl_studio.studio.features.draw.source.popup import Popup
-    from smsl_studio.studio.features.draw.source.quick_fixes import QuickFixes
-    from smsl_studio.studio.features.draw.source.source_text import SourceText
+from smsl_studio.studio.features.draw.source.manners import Manners
+from smsl_studio.studio.features.draw.source.pointer import TextPointer
+from smsl_studio.studio.features.draw.source.popup import Popup
+from smsl_studio.studio.features.draw.source.quick_fixes import QuickFixes
+from smsl_studio.studio.features.draw.source.source_text import SourceText
 
 _NONE, _CTRL = Qt.KeyboardModifier.NoModifier, Qt.KeyboardModifier.ControlModifier
 _SHIFT, _ALT = Qt.KeyboardModifier.ShiftModifier, Qt.KeyboardModifier.AltModifier
@@ -42,8 +41,6 @@ class PaneKeys:
     def __init__(
         self, text: SourceText, popup: Popup, pointing: TextPointer, repairing: QuickFixes
     ) -> None:
-        from smsl_studio.studio.features.draw.source.manners import Manners
-
         self._popup, self._manners = popup, Manners(text.editor)
         self._text, self._leaving = text, False
         key, bar = Qt.Key, text.find_bar

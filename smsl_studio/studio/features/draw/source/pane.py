@@ -46,6 +46,7 @@ class SourcePane(QWidget):
         self._session, self._tokens = session, tokens
         self._agreed: set[str] = set()
         self._chosen: str | None = None
+        self._salvage = session.blueprint if session.broken else None
         self._file = ""
         self.editor = Editor(tokens, self)
         self.files, self.yaml, self.faults = FileRow(), YamlStrip(), FaultStrip()
@@ -191,6 +192,7 @@ class SourcePane(QWidget):
         self._agreed.clear()
         self._chosen, self._file = None, ""
         self.marking.active = ()
+        self._salvage = self._session.blueprint if self._session.broken else None
 
     def _text_changed(self) -> None:
         if self.isVisible():
@@ -238,6 +240,11 @@ class SourcePane(QWidget):
         if found and self.editor.hasFocus():
             self.editor.set_caret(found[-1][0] + len(found[-1][2]))
 
+    @property
+    def _salvaged(self) -> bool:
+        """Whether the graph is only what could be read of a file that was opened broken."""
+        return self._session.broken is not None and self._session.blueprint is self._salvage
+
     def _wanted_file(self) -> str:
         """The file being typed in, else the chosen one, else the file of the SB that is shown."""
         blueprint, broken = self._session.blueprint, self._session.broken
@@ -246,7 +253,7 @@ class SourcePane(QWidget):
             return self.typing.file
         if self._chosen in files:
             return str(self._chosen)
-        if broken is not None and self._session.salvaged:
+        if broken is not None and self._salvaged:
             return broken.file
         return blueprint.home(self._session.branch).file
 
@@ -288,4 +295,4 @@ class SourcePane(QWidget):
         broken = self._session.broken
         elsewhere = broken is not None and broken.file != self._file
         name = broken.file if broken and elsewhere else ""
-        self.faults.show_faults(broken.error if broken else None, name, self._session.salvaged)
+        self.faults.show_faults(broken.error if broken else None, name, self._salvaged)
