@@ -45,7 +45,8 @@ class Notice(QWidget):
         for part in (self._title, self._why, self._deciders):
             part.setAlignment(Qt.AlignmentFlag.AlignCenter)
             part.setWordWrap(True)
-            column.addWidget(part)
+            if part is not self._deciders:  # it has its place as soon as it says something
+                column.addWidget(part)
         column.addSpacing(6)
         column.addWidget(self.begin, 0, Qt.AlignmentFlag.AlignCenter)
         column.addStretch(1)
@@ -114,6 +115,8 @@ class Notice(QWidget):
                 "the operations out of it are shown here."
             )
         self._deciders.setText(plain_text("\n".join(map(one_line, _decided(run)))))
+        if self._deciders.text() and self._deciders.parent() is None:
+            self._column.insertWidget(self._column.indexOf(self._why) + 1, self._deciders)
         self._deciders.setVisible(bool(self._deciders.text()))
         self.begin.setVisible(not run.exists)
         self._fit()
