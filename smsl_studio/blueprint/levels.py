@@ -62,8 +62,8 @@ class Levels:
 
     def forecast(self, edge: Address) -> str:
         """Return the level of the forecast of an edge (see ``continuum.FORECAST_LEVELS``), empty
-        for none. Of the levels of the whole and that of the operation the most careful one counts,
-        so that no level that is set before a run takes away what the blueprint demands.
+        if it has none. The most careful one of all levels counts: a level that is set before a run
+        cannot take away what the blueprint demands.
         """
         branch = self._blueprint[edge.branch]
         own = None
@@ -73,7 +73,7 @@ class Levels:
 
     @property
     def forecasts(self) -> bool:
-        """Whether any operation has a level of forecasts."""
+        """Whether the blueprint or the run asks for a forecast of any operation."""
         notes = (
             note
             for branch in self._blueprint

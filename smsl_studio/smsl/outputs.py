@@ -64,7 +64,7 @@ def put(fresh: Path, target: Path, over: Seen | None, shown: str) -> None:
 def _put_first(fresh: Path, target: Path, shown: str) -> bool:
     """Put a new file where none is, in one step. FileChanged if there is one.
 
-    False if the file system cannot do this; then nothing has happened.
+    Return False if the file system cannot do this. Then no file was changed.
     """
     try:
         target.hardlink_to(fresh)

@@ -190,7 +190,7 @@ class RunSession(QObject, Commands):
 
     @property
     def deciders(self) -> tuple[DecidedBy, ...]:
-        """Who decided what so far, from the events of the run."""
+        """The people and agents that have decided something in this run, and what it was."""
         asked = self._asked
         agents = " and ".join(asked.agents) if asked is not None else ""
         return deciders(self._decisions, agents)

@@ -216,7 +216,7 @@ def _signed(request: ApprovalRequest, note: str) -> SignedApproval | StudioError
 
 
 def _refuse_changed(blueprint: Blueprint) -> None:
-    """ApprovalRefused if a file is not what the person has read. ReadError if one is gone."""
+    """Raise ApprovalRefused if a file has changed since it was read, ReadError if it is gone."""
     for document in blueprint.documents:
         if read_content(document.file).raw != document.encoded():
             raise ApprovalRefused(f"{document.file} is not what was read", advice=CHANGED)

@@ -88,7 +88,7 @@ class Board(QScrollArea):
         self._follow()
 
     def show_forecast(self, told: CardForecast | None) -> None:
-        """Show on its card what the forecast of an operation says. None shows none."""
+        """Show a forecast on the card of its operation. None takes the words away."""
         self._inner.show_forecast(told)
 
     def resizeEvent(self, event: QResizeEvent) -> None:

@@ -91,7 +91,7 @@ class PartialSurface(QWidget):
         self._arrange()
 
     def show_forecast(self, told: CardForecast | None) -> None:
-        """Show on its card what the forecast of an operation says. None shows none."""
+        """Show a forecast on the card of its operation. None takes the words away."""
         self._forecast = told
         for button in self.cards:
             own = told is not None and told.edge == button.card.address
