@@ -20,6 +20,15 @@ from benches.row import Row
 
 SIZES = (3, 4, 6, 8)
 FRAME = "at most 16 ms"
+NOT_REACHED = {
+    3: "at most 16 ms: not reached, because the copies of arrows are routed and named one by one",
+    4: "at most 16 ms: not reached, because the names of so dense a picture depend on each other: "
+    "where one moves, all are placed anew, or the picture would not be that of the opened file",
+    6: "at most 16 ms: not reached, because model, index and text take a third of it, and the rest "
+    "is spread over the routes, names and strokes of some hundred arrows near the change",
+}
+NOT_REACHED[8] = NOT_REACHED[6]
+"""Promises of an edit by the number of disks, and why they are not kept. Measured by a profile."""
 REST = "at most 150 ms"
 SETTLED = "at most 200 ms"
 KINDS = (
@@ -53,7 +62,7 @@ def _rows(disks: int, folder: Path) -> Iterator[Row]:
         seat.place_by_hand()
         for kind in KINDS:
             figure, rest = _edits(seat, seat.edits(kind))
-            yield Row(f"{states}: {kind}", figure, "ms", bound=FRAME)
+            yield Row(f"{states}: {kind}", figure, "ms", bound=_promise(disks, kind))
             yield Row(f"{states}: {kind}, until all rests", rest, "ms", bound=REST)
         for words, near in (("fitted", False), ("at 100 %", True)):
             for way, turn in (("wheel", seat.zoom), ("pan", seat.pan)):
@@ -64,6 +73,11 @@ def _rows(disks: int, folder: Path) -> Iterator[Row]:
                 yield Row(f"{states}: {way}, {words}: then rests in", rest, bound=SETTLED)
     finally:
         seat.close()
+
+
+def _promise(disks: int, kind: str) -> str:
+    kept = disks == 3 and kind != "duplicate a state"
+    return FRAME if kept else NOT_REACHED[disks]
 
 
 def _edits(seat: object, steps: Iterator[Callable[[], object]]) -> tuple[float, float]:
