@@ -147,7 +147,8 @@ class Voice:
         return self._codes[self._sent]
 
     def steady(self, topic: FactTopic, value: Any) -> Voice:
-        """Go on sending this value until ``hush``."""
+        """Go on sending this value until ``hush``. What it said until now ends first."""
+        self.hush()
         self._steady.clear()
 
         def speak() -> None:
