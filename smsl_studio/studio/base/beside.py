@@ -3,7 +3,8 @@
 Qt crashes if an object of its own is freed in another thread than its own, and Python frees an
 object where its last reference is given up. So the window's thread keeps all that a task holds
 until the worker thread has let go of it, also when the window is closed in the meantime. The worker
-touches no object of Qt: the window's thread looks whether a task is done.
+touches no object of Qt and emits no signal: the window's thread looks whether a task is done, and
+at the ``Tally`` of a task that counts.
 """
 
 from __future__ import annotations
@@ -21,6 +22,16 @@ Came = TypeVar("Came")
 
 LOOK = 2
 """Milliseconds between two looks at a task that is being done."""
+
+
+class Tally:
+    """A number that the worker thread counts up, and the window's thread reads."""
+
+    count = 0
+
+    def tell(self, count: int) -> None:
+        """Hear the number."""
+        self.count = count
 
 
 class Beside(QObject):

@@ -21,7 +21,7 @@ from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.errors import UsageError, WorldError
 from smsl_studio.inspection.inspect import ALL, in_order, inspect, order
 from smsl_studio.inspection.rules.finding import Finding
-from smsl_studio.studio.base.beside import Beside
+from smsl_studio.studio.base.beside import Beside, Tally
 from smsl_studio.studio.document.session import Session
 
 if TYPE_CHECKING:
@@ -47,16 +47,6 @@ class _Known:
     blueprint: Blueprint
     findings: tuple[Finding, ...]
     answered: ClaimAnswers | None = None
-
-
-class _Tally:
-    """The number of configurations that were found so far. The worker thread counts."""
-
-    count = 0
-
-    def tell(self, count: int) -> None:
-        """Hear the number."""
-        self.count = count
 
 
 class Inspector(QObject):
@@ -93,7 +83,7 @@ class Inspector(QObject):
         self.unanswered: tuple[ClaimRow, ...] = ()
         """The hazards and properties of a file that was just opened, without verdicts."""
         self._unlisted = True
-        self._tally = _Tally()
+        self._tally = Tally()
         self.stopped = False
         """Whether a person has stopped the search for verdicts about this blueprint."""
         self.world = ""
@@ -190,7 +180,7 @@ class Inspector(QObject):
             self._answered(blueprint, known.answered)
             return
         self._patience.start(PATIENCE)
-        self._tally = tally = _Tally()
+        self._tally = tally = Tally()
         if self._unlisted:
             self._beside.do(partial(_listed, blueprint), partial(self._list, blueprint))
         answer = partial(_answer, blueprint, tally.tell)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from functools import partial
 
-from PySide6.QtCore import QModelIndex, QObject, Qt, Signal
+from PySide6.QtCore import QModelIndex, Qt, QTimer, Signal
 from PySide6.QtWidgets import QLabel, QPushButton, QScrollArea, QStackedWidget, QWidget
 
 from smsl_studio.blueprint.model import Blueprint
@@ -13,7 +13,7 @@ from smsl_studio.inspection.repair import Repair, certain_errors, mend, mend_err
 from smsl_studio.inspection.rules.finding import Finding, Severity
 from smsl_studio.legible import plain_text
 from smsl_studio.studio.base.announcement import announce
-from smsl_studio.studio.base.beside import Beside
+from smsl_studio.studio.base.beside import Beside, Tally
 from smsl_studio.studio.base.controls import Elided, label, row
 from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.base.tips import tip_text
@@ -30,6 +30,8 @@ MOST = 6
 
 ASKED = "ask"
 """Stands in place of the rule at a comment of a review."""
+SHOWN = 50
+"""Milliseconds between two looks at how many fixes were found."""
 PROVING = "Hazards and properties are not answered yet"
 NOTHING = "Nothing is drawn yet, so nothing was checked. Add the first state."
 
@@ -93,8 +95,10 @@ class Findings(Panel):
         self.list.clicked.connect(self._jump)
         self.list.activated.connect(self._jump)
         self.list.fix_wanted.connect(self.fix)
-        self._beside, self._progress = Beside(self), _Progress()
-        self._progress.mended.connect(self._show_mended)
+        self._beside, self._tally = Beside(self), Tally()
+        # Shows how many fixes were found, while they are computed.
+        self._clock = QTimer(self, interval=SHOWN)
+        self._clock.timeout.connect(self._show_mended)
         self._mending: Blueprint | None = None
         """The blueprint for which a worker thread computes “Fix all”, or None."""
         session.blueprint_changed.connect(lambda *_: self._drop_mending())
@@ -212,22 +216,27 @@ class Findings(Panel):
         if self._mending is not None:
             self._drop_mending()
             return
-        self._mending = self._session.blueprint
-        self._show_mended(0)
+        self._mending, self._tally = self._session.blueprint, Tally()
+        self._show_mended()
+        self._clock.start()
         self.fix_all_button.setToolTip("Cancel; nothing has been changed yet")
-        work = partial(mend_errors, self._mending, self._progress.mended.emit)
+        work = partial(mend_errors, self._mending, self._tally.tell)
         self._beside.do(work, partial(self._list_fixes, self._mending))
 
-    def _show_mended(self, fixes: int) -> None:
-        if self._mending is not None:
-            found = f", {fixes} so far" if fixes else ""
-            self.fix_all_button.setText(f"Computing the fixes{found}. Cancel")
+    def _show_mended(self) -> None:
+        fixes = self._tally.count
+        found = f", {fixes} so far" if fixes else ""
+        self.fix_all_button.setText(f"Computing the fixes{found}. Cancel")
+
+    def _end_mending(self) -> None:
+        self._mending = None
+        self._clock.stop()
+        self._offer_fixes()
 
     def _drop_mending(self) -> None:
         if self._mending is not None:
-            self._mending = None
             self._beside.drop()
-            self._offer_fixes()
+            self._end_mending()
 
     def _offer_fix(self) -> None:
         """Show the fix of the chosen finding as a button, so that it is found without a pointer."""
@@ -252,8 +261,7 @@ class Findings(Panel):
     def _list_fixes(self, blueprint: Blueprint, repair: Repair) -> None:
         if blueprint is not self._mending:
             return
-        self._mending = None
-        self._offer_fixes()
+        self._end_mending()
         if repair.mended:
             errors = [f for f in self._findings if f.fix and f.severity is Severity.ERROR]
             left = len(errors) - len(certain_errors(errors))
@@ -280,15 +288,6 @@ class Findings(Panel):
             self._session.jump(finding.address)
         # The keys are on the drawing now, so the finding itself is read out.
         announce(self, index.data(Qt.ItemDataRole.AccessibleTextRole))
-
-
-class _Progress(QObject):
-    """Brings the progress of the worker thread to this thread, as a number of fixes.
-
-    It has no parent, because the worker may end after the panel is gone.
-    """
-
-    mended = Signal(int)
 
 
 def _faults_told(broken: Broken) -> str:
