@@ -15,7 +15,7 @@ from typing import Any
 
 from smsl_studio.cli.arguments import COMMANDS, ArgumentParser, overview
 from smsl_studio.cli.output import Output, claimed_stdout, last_note, lead_nowhere, report_error
-from smsl_studio.cli.secrets_apart import passphrases_apart
+from smsl_studio.cli.secrets_apart import secrets_apart
 from smsl_studio.cli.signals import Signals, heard
 from smsl_studio.errors import (
     ApprovalRefused,
@@ -113,7 +113,7 @@ def _dispatch(arguments: Sequence[str], out: Output, signals: Signals) -> int:
     options = parser.parse_args(rest)
     options.signals = signals
     try:
-        with passphrases_apart():
+        with secrets_apart() as options.secrets:
             status: int = module.execute(options, out)
     except (RunRefused, PlanningError) as error:
         if getattr(options, "format", "") == "json":

@@ -72,7 +72,7 @@ def execute(options: argparse.Namespace, out: Output) -> int:
         ),
     ).checked()
     try:
-        done = approve(request.opened_with(passphrase(options.passphrase_file, options.key)))
+        done = approve(request.opened_with(passphrase(options, options.key)))
     except ApprovalRefused as refused:
         for line in refused.sentence.split("\n"):
             note(f"{options.file}: {line}")

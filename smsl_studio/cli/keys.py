@@ -7,8 +7,7 @@ from typing import Any
 
 from smsl_studio.cli.arguments import ArgumentParser, add_format
 from smsl_studio.cli.output import Output, note
-from smsl_studio.cli.passphrase import add_passphrase, new_passphrase, passphrase
-from smsl_studio.cli.secrets_apart import NEW_VARIABLE
+from smsl_studio.cli.passphrase import add_passphrase, copy_passphrase, new_passphrase, passphrase
 from smsl_studio.errors import UsageError
 from smsl_studio.front.key_ring import (
     export_key,
@@ -102,13 +101,13 @@ def execute(options: argparse.Namespace, out: Output) -> int:
 
 
 def _done(options: argparse.Namespace) -> StoredKey:
-    name, file = options.name, options.passphrase_file
+    name = options.name
     if options.verb == "make":
         person, role, key_id = options.person, options.role, options.id or ""
         if options.token:
-            pin = passphrase(file, f"the token {options.token}")
+            pin = passphrase(options, f"the token {options.token}")
             return make_key(person, role, pin, key_id, token=options.token)
-        return make_key(person, role, new_passphrase(file, person), key_id)
+        return make_key(person, role, new_passphrase(options, person), key_id)
     if options.verb == "show":
         return stored_key(name)
     if options.verb == "import":
@@ -116,13 +115,12 @@ def _done(options: argparse.Namespace) -> StoredKey:
     if options.verb == "export":
         if not options.private:
             return export_key(name, options.output)
-        old = passphrase(file, name)
-        new = new_passphrase(options.new_passphrase_file, f"the copy of {name}", NEW_VARIABLE)
-        return export_key(name, options.output, old, new)
+        old = passphrase(options, name)
+        return export_key(name, options.output, old, copy_passphrase(options, name))
     if options.verb == "register":
-        return sign_register(name, options.key, passphrase(file, options.key), options.output)
+        return sign_register(name, options.key, passphrase(options, options.key), options.output)
     by = options.key or name
-    return revoke_key(name, options.why, passphrase(file, by), by)
+    return revoke_key(name, options.why, passphrase(options, by), by)
 
 
 def _check(options: argparse.Namespace) -> None:

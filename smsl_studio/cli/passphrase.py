@@ -5,13 +5,14 @@ They are never arguments of a command, because every program on the computer cou
 
 from __future__ import annotations
 
+import argparse
 import getpass
 import sys
 from pathlib import Path
 
 from smsl_studio.cli.arguments import ArgumentParser
 from smsl_studio.cli.output import note
-from smsl_studio.cli.secrets_apart import VARIABLE, given_passphrase
+from smsl_studio.cli.secrets_apart import NEW_VARIABLE, VARIABLE
 from smsl_studio.errors import UsageError
 from smsl_studio.smsl.files import read_content
 
@@ -27,15 +28,18 @@ def add_passphrase(parser: ArgumentParser) -> None:
     )
 
 
-def passphrase(file: str | None, whose: str) -> bytes:
+def passphrase(options: argparse.Namespace, whose: str) -> bytes:
     """Return the passphrase of a key. The prompt calls the key ``whose``.
+
+    ``options`` are those of a command: the file, and what the environment gave (``Secrets``).
 
     UsageError if there is no passphrase and no terminal for a prompt.
     """
-    return _given(file, VARIABLE) or _typed(f"Passphrase of {whose}: ", "--passphrase-file")
+    given = _given(options, options.passphrase_file, VARIABLE)
+    return given or _typed(f"Passphrase of {whose}: ", "--passphrase-file")
 
 
-def recorder_passphrase(file: str | None) -> bytes:
+def recorder_passphrase(options: argparse.Namespace) -> bytes:
     """Return the passphrase of the key with which this computer signs its logs.
 
     It is empty if there is no such key. It is also empty if nobody gives a passphrase and there is
@@ -46,7 +50,7 @@ def recorder_passphrase(file: str | None) -> bytes:
     name = recorder_name()
     if not name:
         return b""
-    given = _given(file, VARIABLE)
+    given = _given(options, options.passphrase_file, VARIABLE)
     if given:
         return given
     if not _has_terminal():
@@ -55,25 +59,33 @@ def recorder_passphrase(file: str | None) -> bytes:
     return _typed(f"Passphrase of {name}, which signs the log: ", "--passphrase-file")
 
 
-def new_passphrase(file: str | None, whose: str, variable: str = VARIABLE) -> bytes:
-    """Return a passphrase for a new key or a new copy. A prompt asks for it twice."""
-    given = _given(file, variable)
-    if given:
-        return given
-    option = "--passphrase-file" if variable == VARIABLE else "--new-passphrase-file"
-    first = _typed(f"New passphrase of {whose}: ", option)
-    if _typed("The same again: ", option) != first:
-        raise UsageError("the two passphrases differ", advice="Nothing was changed. Try again.")
-    return first
+def new_passphrase(options: argparse.Namespace, whose: str) -> bytes:
+    """Return a passphrase for a new key. A prompt asks for it twice."""
+    given = _given(options, options.passphrase_file, VARIABLE)
+    return given or _typed_twice(whose, "--passphrase-file")
 
 
-def _given(file: str | None, variable: str) -> bytes:
+def copy_passphrase(options: argparse.Namespace, whose: str) -> bytes:
+    """Return a passphrase for the exported copy of a key. A prompt asks for it twice."""
+    given = _given(options, options.new_passphrase_file, NEW_VARIABLE)
+    return given or _typed_twice(f"the copy of {whose}", "--new-passphrase-file")
+
+
+def _given(options: argparse.Namespace, file: str | None, variable: str) -> bytes:
     if file is None:
-        return given_passphrase(variable)[:MOST]
+        found: bytes = options.secrets.given(variable)
+        return found[:MOST]
     line = read_content(Path(file)).raw.split(b"\n", 1)[0].removesuffix(b"\r")[:MOST]
     if not line:
         raise UsageError(f"the first line of {file} is empty", advice="Write the passphrase there.")
     return line
+
+
+def _typed_twice(whose: str, option: str) -> bytes:
+    first = _typed(f"New passphrase of {whose}: ", option)
+    if _typed("The same again: ", option) != first:
+        raise UsageError("the two passphrases differ", advice="Nothing was changed. Try again.")
+    return first
 
 
 def _has_terminal() -> bool:

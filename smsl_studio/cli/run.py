@@ -169,7 +169,7 @@ def _execute(options: argparse.Namespace, told: _ToldEvents) -> int:
     # A misspelt annotation protects nothing, so these findings are shown before every run.
     for finding in inspect(blueprint, ("R29",)):
         note(f"{finding.place}: {finding.message}")
-    words = b"" if options.log is None else recorder_passphrase(options.passphrase_file)
+    words = b"" if options.log is None else recorder_passphrase(options)
     look_for_garbage()
     done = run(
         blueprint,

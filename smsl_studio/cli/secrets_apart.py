@@ -1,34 +1,39 @@
-"""The passphrases of the environment, while a command runs: the command reads them here."""
+"""The passphrases of the environment, while a command runs: only the command has them."""
 
 from __future__ import annotations
 
-import contextlib
 import os
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
 
 VARIABLE, NEW_VARIABLE = "SMSL_PASSPHRASE", "SMSL_NEW_PASSPHRASE"
 
-_taken: dict[str, str] = {}
+
+class Secrets:
+    """What the environment gave as passphrases. The options of one command hold it, and no module
+    does, so that it is gone when the command ends."""
+
+    def __init__(self, words: Mapping[str, str]) -> None:
+        self._words = words
+
+    def __repr__(self) -> str:
+        return f"{type(self).__name__}({', '.join(self._words)})"
+
+    def given(self, variable: str) -> bytes:
+        """Return the passphrase that stood in a variable, empty if it was not set."""
+        return self._words.get(variable, "").encode("utf-8", "surrogateescape")
 
 
-@contextlib.contextmanager
-def passphrases_apart() -> Iterator[None]:
+@contextmanager
+def secrets_apart() -> Iterator[Secrets]:
     """Take the passphrases out of the environment while a command runs.
 
     So code of plugins that runs in this process, and every program that it starts, has an
     environment without them. They are put back at the end, for a program that calls a command.
     """
-    for name in (VARIABLE, NEW_VARIABLE):
-        if name in os.environ:
-            _taken[name] = os.environ.pop(name)
+    names = (VARIABLE, NEW_VARIABLE)
+    words = {name: os.environ.pop(name) for name in names if name in os.environ}
     try:
-        yield
+        yield Secrets(words)
     finally:
-        os.environ.update(_taken)
-        _taken.clear()
-
-
-def given_passphrase(variable: str) -> bytes:
-    """Return what a variable of the environment has as a passphrase, empty if it is not set."""
-    words = _taken.get(variable) or os.environ.get(variable, "")
-    return words.encode("utf-8", "surrogateescape")
+        os.environ.update(words)

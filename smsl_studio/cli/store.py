@@ -146,7 +146,7 @@ def _revoke(options: argparse.Namespace, out: Output) -> int:
     for name in ("key", "why"):
         if not getattr(options, name):
             raise UsageError(f"store revoke needs --{name}", advice="smsl-studio store --help")
-    words = passphrase(options.passphrase_file, options.key)
+    words = passphrase(options, options.key)
     digest = revoke_digest(options.names[0], options.why, options.key, words)
     if options.format == "json":
         out.json({"revoked": f"sha256:{digest}", "why": options.why})

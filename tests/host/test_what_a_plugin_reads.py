@@ -71,6 +71,28 @@ def test_a_command_that_loads_plugins_itself_has_no_passphrase_left(
     assert os.environ["SMSL_PASSPHRASE"] == "correct horse", "it is put back at the end"
 
 
+SEEKS = """
+import sys
+with open({file!r}, "a") as file:
+    ours = [name for name in sys.modules if name.startswith("smsl_studio")]
+    found = [name for name in ours if "correct horse" in repr(vars(sys.modules[name]))]
+    file.write(f"{{len(ours) > 100}} {{found}}")
+"""
+"""The code of a plugin that looks for a passphrase in all variables of the program's modules."""
+
+
+def test_no_variable_of_a_module_has_a_passphrase_while_a_command_runs(
+    told: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    plugin = tmp_path / "plugins" / "lamp" / "plugin.py"
+    plugin.write_text(SEEKS.format(file=str(told)) + LAMP_PLUGIN)
+    file = tmp_path / "lamp.json"
+    file.write_text(json.dumps(BLUEPRINT))
+    answer = make_shell(capsys)("run", str(file), "--world", "lamp", "--host", "local")
+    assert answer.status == 0, answer.err
+    assert told.read_text() == "True []"
+
+
 WORLD = """
 def register(library):
     @library.world("{name}", engine="table")
