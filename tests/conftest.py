@@ -69,14 +69,21 @@ def _garbage_of_windows(request: pytest.FixtureRequest) -> Iterator[None]:
     """What a test of windows leaves is collected in this thread, not in a worker thread of it.
 
     Qt crashes if a widget is freed in another thread. The window collects while it is open, and
-    what it saw alive then is old for Python, so all objects are looked at.
+    what it saw alive then is old for Python, so all objects are looked at. What it set aside is
+    brought back, or its timers would run on in later tests and free it in the middle of one.
     """
     if "qapp" not in request.fixturenames:
         yield
         return
     gc.disable()
+    aside = gc.get_freeze_count()
     yield
-    gc.collect()
+    if gc.get_freeze_count() > aside:
+        gc.unfreeze()
+        gc.collect()
+        gc.freeze()
+    else:
+        gc.collect()
     gc.enable()
 
 

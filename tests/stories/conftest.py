@@ -63,11 +63,12 @@ def sit(
     # As at a start of the program: the first window brings the style sheet.
     qapp.setStyleSheet("")
     prepare(qapp, LIGHT)
-    windows = Windows(qapp, Settings(home), Plugins(Look()))
+    made = [Windows(qapp, Settings(home), Plugins(Look()))]
 
     def open_on(
         path: Path | None = None, size: tuple[int, int] = (1440, 900), begin: bool = True
     ) -> Person:
+        (windows,) = made
         windows.settings.theme = "light"
         window = make_window(windows, str(path) if path else "")
         qtbot.waitUntil(lambda: windows.plugins.known)
@@ -82,6 +83,15 @@ def sit(
         return person
 
     yield open_on
+    # The test holds ``open_on`` for longer. So that holds no window any more.
+    _close_all(made.pop())
+    # Closed windows are kept until the event loop runs. It runs here, so that they are freed with
+    # this test and not within the next one.
+    qapp.processEvents()
+    qapp.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+
+
+def _close_all(windows: Windows) -> None:
     for window in windows:
         assert isinstance(window, Window)
         window.settle()
@@ -92,7 +102,6 @@ def sit(
         if pane is not None:
             pane.run.close()
         window.close()
-    qapp.sendPostedEvents(None, QEvent.Type.DeferredDelete)
 
 
 def reader(hear: Callable[[QAccessibleEvent], object]) -> type[QAccessible]:
