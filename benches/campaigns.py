@@ -8,8 +8,8 @@ from collections.abc import Iterator
 
 from benches.row import Row
 from smsl_studio import front
+from smsl_studio.front.campaign_faults import CampaignRequest
 from smsl_studio.front.campaign_runs import CampaignRun, judged
-from smsl_studio.front.campaigns import CampaignRequest
 from smsl_studio.front.inputs import read
 from smsl_studio.shipped import samples_dir
 

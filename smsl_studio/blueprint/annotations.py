@@ -8,6 +8,7 @@ Notes are plain values. pydantic checks them. It is loaded only if there is a no
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from functools import lru_cache
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, TypeVar
@@ -21,6 +22,22 @@ if TYPE_CHECKING:
     from pydantic import TypeAdapter
 
 Json = Any
+
+
+class _AsWritten:
+    """Marks a type whose values must be written as such: ``true`` is no number, ``"5"`` neither,
+    and 1 is not ``true``. JSON tells them apart, and pydantic by itself does not.
+    """
+
+    def __get_pydantic_core_schema__(self, source: Any, handler: Callable[[Any], Json]) -> Json:
+        """Return the schema of the type, strict."""
+        return {**handler(source), "strict": True}
+
+
+AS_WRITTEN = _AsWritten()
+Number = Annotated[float, AS_WRITTEN]
+Whole = Annotated[int, AS_WRITTEN]
+Switch = Annotated[bool, AS_WRITTEN]
 
 
 class _Note:
@@ -40,7 +57,7 @@ class FactNote(_Note):
     values: dict[str, str] = field(default_factory=dict)
     on: str | None = None
     failure: tuple[str, ...] = ()
-    critical: bool = False
+    critical: Switch = False
     sensors: tuple[str, ...] = ()
     unit: str = ""
     sources: dict[str, str] = field(default_factory=dict)
@@ -48,19 +65,19 @@ class FactNote(_Note):
     predicate: str | dict[str, str] = ""
     """For each value the condition on the sources under which the fact has it. A text is only for
     people."""
-    range: dict[str, tuple[float, float]] = field(default_factory=dict)
+    range: dict[str, tuple[Number, Number]] = field(default_factory=dict)
     """The least and the largest number that a source can measure, in its unit."""
-    log_rate: Annotated[float, Gt(0), Le(100)] = 10.0
+    log_rate: Annotated[Number, Gt(0), Le(100)] = 10.0
     """How often (Hz) the log of a run keeps what its sources measure, while its value stays."""
     aggregation: Literal["single", "all", "any", "k_of_n", "priority", "human"] = "single"
-    k: Annotated[int, Ge(1)] | None = None
-    max_age: Annotated[float, Gt(0)] | None = None
-    conflict_after: Annotated[float, Ge(0), Le(60)] = 0.0
+    k: Annotated[Whole, Ge(1)] | None = None
+    max_age: Annotated[Number, Gt(0)] | None = None
+    conflict_after: Annotated[Number, Ge(0), Le(60)] = 0.0
     """How long (s) its sensors may disagree before the fact is unknown."""
     question: str = ""
     """The question to a person who tells the fact. ``roles`` has one role for each person."""
     roles: tuple[str, ...] = ()
-    answer_within: Annotated[float, Gt(0)] | None = None
+    answer_within: Annotated[Number, Gt(0)] | None = None
     escalates_to: str = ""
 
 
@@ -70,7 +87,7 @@ class StateNote(_Note):
 
     title: str = ""
     note: str = ""
-    safe: bool | None = None
+    safe: Switch | None = None
     facts: tuple[str, ...] = ()
 
 
@@ -99,23 +116,23 @@ class OperationNote(_Note):
     """``_operations`` of an SB, by operation name or by ``State/Operation`` (which wins)."""
 
     title: str = ""
-    cost: Annotated[float, Ge(0), Le(1e12)] | None = None
+    cost: Annotated[Number, Ge(0), Le(1e12)] | None = None
     """It has an upper bound, so that the cost of every route is finite."""
     risk: Literal["low", "medium", "high"] | None = None
     actor: Literal["human", "shared", "robot"] | None = None
     confirm: tuple[str, ...] = ()
     forecast: Literal["show", "ask", "hold"] | None = None
     """The least level of its forecast (see ``continuum.FORECAST_LEVELS``)."""
-    duration: Annotated[float, Ge(0)] | None = None
-    timeout: Annotated[float, Gt(0)] | None = None
+    duration: Annotated[Number, Ge(0)] | None = None
+    timeout: Annotated[Number, Gt(0)] | None = None
     stop: Literal["abort", "hold", "finish"] | None = None
-    resumes: bool | None = None
+    resumes: Switch | None = None
     """Whether it goes on after a pause. None means as its library function declares."""
-    touches: tuple[Annotated[int, Ge(0)], ...] = ()
+    touches: tuple[Annotated[Whole, Ge(0)], ...] = ()
     """Digits of its SB that are unknown after it was cancelled, besides those that its edge
     changes.
     """
-    repeatable: bool = False
+    repeatable: Switch = False
     requires: dict[str, str] = field(default_factory=dict)
     """Facts of any SB that must hold before it begins: ``{"SB/digit": value}``."""
     subs: Literal["drive", "load"] = "drive"
@@ -123,7 +140,7 @@ class OperationNote(_Note):
     question: str = ""
     """The request to the person who carries it out. ``roles`` says whose task that is."""
     roles: tuple[str, ...] = ()
-    answer_within: Annotated[float, Gt(0)] | None = None
+    answer_within: Annotated[Number, Gt(0)] | None = None
     """The time (s) for every task about it. After half of it ``escalates_to`` is asked too."""
     escalates_to: str = ""
 
@@ -142,7 +159,7 @@ PLAIN = OperationNote()
 LONGEST = 10_000
 """The largest number of characters of a text that is only drawn."""
 
-_Coordinate = Annotated[float, Gt(-FAR), Lt(FAR)]
+_Coordinate = Annotated[Number, Gt(-FAR), Lt(FAR)]
 
 
 @dataclass(frozen=True)

@@ -62,8 +62,9 @@ def add_arguments(parser: ArgumentParser) -> None:
 def execute(options: argparse.Namespace, out: Output) -> int:
     """Run the campaign, write its result, and print it. 0: all runs without a fault reached the
     goal, or there were faults and no row without them; 1: some did not."""
+    from smsl_studio.front.campaign_faults import CampaignRequest
     from smsl_studio.front.campaign_page import campaign_page
-    from smsl_studio.front.campaigns import CampaignRequest, campaign
+    from smsl_studio.front.campaigns import campaign
     from smsl_studio.smsl.files import save_document
 
     blueprint = read_argument(options.file)

@@ -11,7 +11,8 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 if TYPE_CHECKING:
     from smsl_studio.front.bundles import bundle
-    from smsl_studio.front.campaigns import CampaignRequest, campaign
+    from smsl_studio.front.campaign_faults import CampaignRequest
+    from smsl_studio.front.campaigns import campaign
     from smsl_studio.front.examples import learn, learn_from_logs
     from smsl_studio.front.exchanges import exported, imported
     from smsl_studio.front.exploration import explore
@@ -242,7 +243,7 @@ _HOMES = {
     "learn": "examples",
     "learn_from_logs": "examples",
     "generate_text": "generated_text",
-    "CampaignRequest": "campaigns",
+    "CampaignRequest": "campaign_faults",
     "campaign": "campaigns",
     "bundle": "bundles",
     "account": "logs",

@@ -5,7 +5,8 @@ from __future__ import annotations
 
 from html import escape
 
-from smsl_studio.front.campaigns import Campaign, CampaignRequest, CampaignRow
+from smsl_studio.front.campaign_faults import CampaignRequest
+from smsl_studio.front.campaigns import Campaign, CampaignRow
 from smsl_studio.legible import one_line
 
 _STYLE = """\

@@ -47,6 +47,9 @@ class CampaignPart:
             for act in (request.script.acts if request.script else ())
         ]
         starts = [str(one) for one in request.starts]
+        more = [[str(one) for one in request.goals], list(request.agents)]
+        if request.agents or request.goals:
+            acts.append(("", "", repr(more), []))
         asked = json.dumps([self._base, request.seed, starts, acts], default=str)
         return sha256_hex(asked.encode("utf-8", "surrogatepass"))
 

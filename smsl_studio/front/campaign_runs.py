@@ -16,6 +16,7 @@ from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.errors import Place
 from smsl_studio.front.request import RunRequest
 from smsl_studio.front.runs import Run, run_request
+from smsl_studio.front.script.addresses import Written
 from smsl_studio.front.script.script import AT, DURING, WHEN, Act, Script, Trigger
 from smsl_studio.front.starts import start_for_edge
 from smsl_studio.runlog.events import OperationRisky, Relocalised, RoutePlanned
@@ -39,12 +40,17 @@ class Injection:
 
 @dataclass(frozen=True, slots=True)
 class CampaignRun:
-    """What is asked for one run: a world, a seed, a fault or None, and a robot."""
+    """What is asked for one run: a world, a seed, a fault or None, and a robot; where it starts and
+    ends, and the automatic supervisors. Each may be left out.
+    """
 
     world: str
     seed: int
     injection: Injection | None = None
     robot: str = ""
+    starts: tuple[str, ...] = ()
+    goals: tuple[str, ...] = ()
+    agents: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -64,7 +70,16 @@ def request_of(blueprint: Blueprint, asked: CampaignRun) -> RunRequest:
     """Return the request of a run."""
     injection = asked.injection
     if injection is None:
-        return RunRequest(blueprint, asked.world, seed=asked.seed, host="local", robot=asked.robot)
+        return RunRequest(
+            blueprint,
+            asked.world,
+            starts=asked.starts,
+            goals=asked.goals,
+            seed=asked.seed,
+            host="local",
+            robot=asked.robot,
+            agents=asked.agents,
+        )
     place, edge = Place(BY, 1, 1), str(injection.edge)
     given = {"fault": injection.fault, **injection.given}
     if asked.world == TABLE:
@@ -72,7 +87,7 @@ def request_of(blueprint: Blueprint, asked: CampaignRun) -> RunRequest:
         acts = [Act(place, Trigger(AT, 0.0), "inject", {**given, "operation": edge}, BY)]
     else:
         acts = [Act(place, Trigger(DURING, 0.0, edge), "inject", given, BY)]
-    starts: tuple[Address, ...] = ()
+    starts: tuple[Written, ...] = asked.starts
     if injection.begins:
         start = start_for_edge(Hierarchy(blueprint), injection.edge) or {}
         starts = tuple(Address(branch, state) for branch, state in start.items())
@@ -83,6 +98,8 @@ def request_of(blueprint: Blueprint, asked: CampaignRun) -> RunRequest:
         blueprint,
         asked.world,
         starts=starts,
+        goals=asked.goals,
+        agents=asked.agents,
         seed=asked.seed,
         host="local",
         script=script,
@@ -136,7 +153,8 @@ def run_of_json(values: Json) -> CampaignRun:
     injection = None
     if told is not None:
         injection = Injection(**{**told, "edge": Address(*Address.split(told["edge"]))})
-    return CampaignRun(values["world"], values["seed"], injection, values["robot"])
+    more = (tuple(values[name]) for name in ("starts", "goals", "agents"))
+    return CampaignRun(values["world"], values["seed"], injection, values["robot"], *more)
 
 
 def verdict_as_json(verdict: RunVerdict) -> dict[str, Json]:

@@ -7,19 +7,16 @@ from __future__ import annotations
 
 import hashlib
 import math
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import AbstractContextManager, closing, nullcontext
 from dataclasses import asdict, dataclass, field, replace
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from smsl_studio.blueprint.address import Address
-from smsl_studio.blueprint.configuration import Hierarchy
-from smsl_studio.blueprint.edges import Edges
-from smsl_studio.blueprint.model import Blueprint
-from smsl_studio.errors import UsageError, did_you_mean
+from smsl_studio.errors import UsageError
 from smsl_studio.front.campaign_batch import Judge, SeedBatch
+from smsl_studio.front.campaign_faults import CampaignRequest, chosen_injections
 from smsl_studio.front.campaign_part import CampaignPart
 from smsl_studio.front.campaign_runs import (
     CampaignRun,
@@ -31,13 +28,6 @@ from smsl_studio.front.campaign_runs import (
 from smsl_studio.front.campaign_workers import CampaignWorkers
 from smsl_studio.front.hosts import known_world, with_robot
 from smsl_studio.front.request import RunRequest
-from smsl_studio.front.runs import run_request
-from smsl_studio.library.bindings import bind
-from smsl_studio.library.bindings_file import bindings_beside
-from smsl_studio.library.entries import FaultEntry
-from smsl_studio.library.loaded import Loaded
-from smsl_studio.library.table_faults import table_faults
-from smsl_studio.runlog.events import OperationStarted
 from smsl_studio.stop import Stopped, heed
 from smsl_studio.world.engines import TABLE
 
@@ -45,7 +35,6 @@ if TYPE_CHECKING:
     from smsl_studio.front.campaign_cluster import CampaignCluster
 
 Json = Any
-ALL, ROUTE = "all", "route"
 BLOCK = 20
 """With ``until`` seeds are run in blocks of this size, and only whole blocks are judged."""
 Z = 1.959963984540054
@@ -54,33 +43,6 @@ TOGETHER = 1_000
 """The number of runs that are handed to the workers at once."""
 MOST = 1_000_000
 """The largest number of runs of a campaign."""
-
-
-@dataclass(frozen=True, slots=True)
-class CampaignRequest:
-    """What is asked for a campaign.
-
-    ``seeds`` is the number of seeds, from 0. ``faults`` are names, or ``all``; without faults there
-    is one row. ``edges`` is ``route`` (those of a run without fault) or ``all``. ``until`` is the
-    width of the intervals at which the campaign ends early. ``resume`` takes over what an earlier
-    campaign has kept in ``part``. ``dask`` is the address of a Dask scheduler, whose workers take
-    the place of ``workers`` here.
-
-    >>> CampaignRequest(read("hanoi-2.json"), seeds=100, faults=("fail",)).edges
-    'route'
-    """
-
-    blueprint: Blueprint
-    world: str = TABLE
-    seeds: int = 1
-    faults: tuple[str, ...] = ()
-    edges: str = ROUTE
-    workers: int = 1
-    until: float | None = None
-    part: Path | None = None
-    resume: bool = False
-    robot: str = ""
-    dask: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -123,12 +85,42 @@ class Campaign:
         return {"runs": self.runs, "reached": self.reached, "digest": self.digest, "rows": rows}
 
 
+class CampaignWatch:
+    """Watches a campaign. This one does nothing with what it hears."""
+
+    def begin(self, rows: Sequence[Injection | None], seeds: int) -> None:
+        """Hear the rows, and the number of seeds of each."""
+
+    def hear(self, row: int, seed: int, verdict: RunVerdict) -> None:
+        """Hear how a run of a row ended. It may raise Stopped; this run is kept then."""
+
+
+class _Counted(CampaignWatch):
+    """Counts the runs."""
+
+    def __init__(self, told: Told) -> None:
+        self._told, self._done, self._every = told, 0, 0
+
+    def begin(self, rows: Sequence[Injection | None], seeds: int) -> None:
+        """Hear how many runs there are."""
+        self._every = len(rows) * seeds
+
+    def hear(self, row: int, seed: int, verdict: RunVerdict) -> None:
+        """Tell one run more."""
+        self._done += 1
+        self._told(self._done, self._every)
+
+
 Told = Callable[[int, int], None]
 """Is called with the number of runs that are done, and of all."""
 
 
-def campaign(request: CampaignRequest, told: Told = lambda _done, _all: None) -> Campaign:
-    """Run a campaign.
+def campaign(
+    request: CampaignRequest,
+    told: Told = lambda _done, _all: None,
+    watch: CampaignWatch | None = None,
+) -> Campaign:
+    """Run a campaign. ``watch`` hears of each run, in place of ``told``.
 
     UsageError for a robot or a fault that the world does not have, or whose parameters nobody can
     choose; for numbers that do not fit; or for more than 1,000,000 runs. WorldError if there is no
@@ -147,7 +139,7 @@ def campaign(request: CampaignRequest, told: Told = lambda _done, _all: None) ->
         named = RunRequest(request.blueprint, request.world, robot=request.robot)
         known = known_world(request.world, host="process")
         request = replace(request, robot=with_robot(named, known).robot)
-    injections, left_out = _chosen(request)
+    injections, left_out = chosen_injections(request)
     if len(injections) * request.seeds > MOST:
         raise UsageError(
             f"these are {len(injections) * request.seeds:,} runs, and {MOST:,} are the most",
@@ -156,8 +148,10 @@ def campaign(request: CampaignRequest, told: Told = lambda _done, _all: None) ->
     # Workers that somebody asks for carry each run out.
     here = request.world == TABLE and request.workers == 1 and not request.dask
     batch = SeedBatch(request.blueprint) if here else None
-    verdicts = _verdicts(request, injections, batch, told)
-    rows = tuple(_row(injection, own) for injection, own in zip(injections, verdicts, strict=True))
+    verdicts = _verdicts(request, injections, batch, watch or _Counted(told))
+    rows = tuple(
+        row_of(injection, own) for injection, own in zip(injections, verdicts, strict=True)
+    )
     digest = hashlib.sha256()
     for own in verdicts:
         for one in own:
@@ -179,26 +173,21 @@ def _verdicts(
     request: CampaignRequest,
     injections: Sequence[Injection | None],
     batch: SeedBatch | None,
-    told: Told,
+    watch: CampaignWatch,
 ) -> list[list[RunVerdict]]:
     """Return the verdicts of each row, in the order of the seeds."""
     found: list[list[RunVerdict]] = [[] for _ in injections]
-    every = len(injections) * request.seeds
+    watch.begin(injections, request.seeds)
     block = request.seeds if request.until is None else BLOCK
-    done = 0
     with _pool(request) as pool, closing(CampaignPart(request.part, request.resume)) as part:
         judge = _judge(request, pool, batch)
         for look, first in enumerate(range(0, request.seeds, block), 1):
             seeds = range(first, min(first + block, request.seeds))
-            asked = [
-                CampaignRun(request.world, seed, injection, request.robot)
-                for injection in injections
-                for seed in seeds
-            ]
+            asked = [request.run(seed, injection) for injection in injections for seed in seeds]
             for number, verdict in enumerate(_judged(request, asked, judge, part)):
-                found[number // len(seeds)].append(verdict)
-                done += 1
-                told(done, every)
+                row = number // len(seeds)
+                found[row].append(verdict)
+                watch.hear(row, seeds[number % len(seeds)], verdict)
             if request.until is not None and _is_narrow(found, look, request.until):
                 break
     return found
@@ -282,7 +271,8 @@ def _quantile(share: float) -> float:
     return NormalDist().inv_cdf(share)
 
 
-def _row(injection: Injection | None, own: Sequence[RunVerdict]) -> CampaignRow:
+def row_of(injection: Injection | None, own: Sequence[RunVerdict]) -> CampaignRow:
+    """Return the row of a fault in an edge, of the verdicts of its runs."""
     reached = sum(one.reached for one in own)
     low, high = wilson(reached, len(own))
     return CampaignRow(
@@ -295,98 +285,3 @@ def _row(injection: Injection | None, own: Sequence[RunVerdict]) -> CampaignRow:
         low=round(low, 6),
         high=round(high, 6),
     )
-
-
-# -- faults and edges ----------------------------------------------------------------------------
-
-
-def injections_of(request: CampaignRequest) -> list[Injection | None]:
-    """Return the injections of a campaign in the order of its rows, [None] without faults."""
-    return _chosen(request)[0]
-
-
-def _chosen(
-    request: CampaignRequest,
-) -> tuple[list[Injection | None], tuple[str, ...]]:
-    """Return the injections in the order of the rows, [None] without faults, and the names of
-    faults that ``all`` leaves out."""
-    if not request.faults:
-        return [None], ()
-    loaded = known_world(request.world)
-    offered = loaded.faults_of(request.world) if loaded else table_faults(request.blueprint)
-    names = list(offered) if request.faults == (ALL,) else list(dict.fromkeys(request.faults))
-    for name in names:
-        if name not in offered:
-            near = did_you_mean(name, offered) or f"It has {', '.join(offered)}."
-            raise UsageError(f"the world {request.world!r} has no fault {name!r}", advice=near)
-    arguments = _arguments(request.blueprint, request.world, loaded)
-    route = _route(request)
-    edges = route if request.edges == ROUTE else _all_edges(request.blueprint)
-    found: list[Injection | None] = []
-    left_out = []
-    for name in names:
-        own = [_injection(offered[name], edge, arguments, edge not in route) for edge in edges]
-        if None not in own:
-            found += own
-        elif request.faults == (ALL,):
-            left_out.append(name)
-        else:
-            missing = ", ".join(sorted(offered[name].signature.required))
-            raise UsageError(
-                f"the fault {name} needs {missing}, and no operation names it",
-                advice="Use a script for this fault.",
-            )
-    if not edges:
-        raise UsageError(
-            "the run without a fault carries out no operation, so there is none to disturb",
-            advice="Is a person needed? --edges all disturbs each operation of the blueprint.",
-        )
-    if not found:
-        raise UsageError("no fault of this world can be injected without more words")
-    return found, tuple(left_out)
-
-
-def _injection(
-    entry: FaultEntry,
-    edge: Address,
-    arguments: Mapping[Address, Mapping[str, Json]],
-    begins: bool,
-) -> Injection | None:
-    """Return a fault in an edge. Its parameters are the arguments of the operation with the same
-    names: a ring that is pushed is the one that is carried. None if one is missing."""
-    own = arguments.get(edge, {})
-    given = {name: own[name] for name in entry.signature.types if name in own}
-    if entry.signature.required - set(given):
-        return None
-    return Injection(entry.name, edge, given, begins)
-
-
-def _route(request: CampaignRequest) -> list[Address]:
-    """Return the operations with a function that the run without a fault carries out, with seed
-    0.
-    """
-    usual = CampaignRun(request.world, 0, robot=request.robot)
-    done = run_request(request_of(request.blueprint, usual))
-    began = [e.address for e in done.events if isinstance(e, OperationStarted) and e.function]
-    return [Address(*Address.split(text)) for text in dict.fromkeys(began)]
-
-
-def _all_edges(blueprint: Blueprint) -> list[Address]:
-    """Return the operations of a blueprint that have a function: others only move sub-SBs."""
-    edges = Edges(Hierarchy(blueprint))
-    return [
-        edge.address
-        for branch in blueprint
-        for state in branch.table
-        for edge in edges.out(branch.name, state)
-        if edge.function
-    ]
-
-
-def _arguments(
-    blueprint: Blueprint, world: str, loaded: Loaded | None
-) -> dict[Address, Mapping[str, Json]]:
-    if loaded is None:
-        return {}
-    bound = bind(blueprint, loaded, world, bindings_beside(blueprint.file)).operations
-    return {address: one.arguments for address, one in bound.items()}

@@ -63,7 +63,9 @@ class SupervisorView:
     is the state to which it leads. ``facts`` has each sensed fact by ``SB/digit``. ``declared`` is
     the declared risk: low, medium, high or empty. ``history`` has a pair (address, ``committed`` or
     ``failed``) for each operation of the run so far. ``forecast`` is what the simulated world
-    predicts, None in a run without forecasts.
+    predicts, None in a run without forecasts. ``durations`` has how long each operation took the
+    last time that it returned (s), by its address. ``measures`` has the newest number of each
+    source of a fact with predicates, or three for a position, by ``SB/digit/source`` in its unit.
     """
 
     time: float
@@ -78,3 +80,5 @@ class SupervisorView:
     history: tuple[tuple[str, str], ...] = ()
     estimate: RiskEstimate = NO_RISK
     forecast: Prediction | None = None
+    durations: Mapping[str, float] = field(default_factory=dict)
+    measures: Mapping[str, tuple[float, ...]] = field(default_factory=dict)

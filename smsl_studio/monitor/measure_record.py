@@ -42,6 +42,17 @@ class MeasureRecord:
             yield from self._new(key, fact)
         self._next = min(self._due.values(), default=0.0)
 
+    def newest(self) -> dict[tuple[FactKey, str], tuple[float, ...]]:
+        """Return the last number of each source that was kept, or three for a position."""
+        found: dict[tuple[FactKey, str], tuple[float, ...]] = {}
+        for place, sample in self._kept.items():
+            measure = None if sample.value is None else measure_of(sample.value, None)
+            if isinstance(measure, float):
+                found[place] = (measure,)
+            elif isinstance(measure, tuple):
+                found[place] = measure
+        return found
+
     def _new(self, key: FactKey, fact: SensedFact) -> Iterator[Sample]:
         """Yield the samples of a fact that were not kept yet, as far as they measure something."""
         for name, sample in fact.newest.items():

@@ -12,8 +12,8 @@ import pytest
 import smsl_studio as smsl
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.front.campaign_batch import NOT_BEGUN, OTHER, PEOPLE, PROOF, SeedBatch
+from smsl_studio.front.campaign_faults import CampaignRequest, injections_of
 from smsl_studio.front.campaign_runs import CampaignRun, RunVerdict, judged
-from smsl_studio.front.campaigns import CampaignRequest, injections_of
 from smsl_studio.shipped import samples_dir
 from tests.approval import DOOR
 

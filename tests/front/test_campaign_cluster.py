@@ -17,8 +17,8 @@ import smsl_studio as smsl
 from smsl_studio.errors import UsageError, WorldError
 from smsl_studio.front import campaign_cluster
 from smsl_studio.front.campaign_cluster import carried_out, code_of, files_of
+from smsl_studio.front.campaign_faults import CampaignRequest
 from smsl_studio.front.campaign_runs import CampaignRun, run_as_json
-from smsl_studio.front.campaigns import CampaignRequest
 from smsl_studio.shipped import samples_dir
 
 SAMPLE = samples_dir() / "hanoi-2.json"

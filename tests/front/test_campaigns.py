@@ -10,9 +10,10 @@ import pytest
 
 import smsl_studio as smsl
 from smsl_studio.errors import UsageError, WorldError
+from smsl_studio.front.campaign_faults import CampaignRequest, injections_of
 from smsl_studio.front.campaign_page import campaign_page
 from smsl_studio.front.campaign_runs import CampaignRun, request_of
-from smsl_studio.front.campaigns import BLOCK, CampaignRequest, injections_of, wilson
+from smsl_studio.front.campaigns import BLOCK, wilson
 from smsl_studio.front.runs import run_request
 from smsl_studio.runlog.events import OperationEnded, OperationStarted
 from smsl_studio.shipped import samples_dir

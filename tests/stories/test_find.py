@@ -107,6 +107,10 @@ def test_what_was_chosen_last_stands_first(sit: Sit, noted: Path) -> None:
     assert "State110" not in find(person, ""), "what is gone is not offered"
 
 
+def test_a_recorded_run_is_found_by_its_other_name(sit: Sit) -> None:
+    assert "Open recording" in find(sit(HANOI), "replay")
+
+
 def test_what_is_found_nowhere_is_said(sit: Sit) -> None:
     person = sit(HANOI)
     assert find(person, "zzzqqq") == []

@@ -163,6 +163,8 @@ def _estimated(run: LiveRun, step: JointStep, asked: Proposal) -> Proposal:
         facts=facts,
         history=tuple(run.history),
         estimate=estimate(run, step, facts, asked.risk, asked.forecast),
+        durations=run.durations,
+        measures=run.senses.measures(),
     )
 
 

@@ -31,8 +31,9 @@ class Proposal:
 
     The rest is filled for an ``Estimating`` supervisor alone. ``neighbours`` are all operations out
     of the active states. ``facts`` are those that are sensed, by ``SB/digit``. ``history`` has the
-    results of edges so far, and ``estimate`` the risk with its parts. ``forecast`` is what the
-    simulated world predicts, None in a run without forecasts.
+    results of edges so far, and ``estimate`` the risk with its parts. ``durations`` and
+    ``measures`` are those of ``SupervisorView``. ``forecast`` is what the simulated world predicts,
+    None in a run without forecasts.
     """
 
     time: float
@@ -48,6 +49,8 @@ class Proposal:
     history: tuple[tuple[str, str], ...] = ()
     estimate: RiskEstimate = NO_RISK
     forecast: Prediction | None = None
+    durations: Mapping[str, float] = field(default_factory=dict)
+    measures: Mapping[str, tuple[float, ...]] = field(default_factory=dict)
 
     def view(self) -> SupervisorView:
         """Return the same for a supervisor in another process."""
@@ -64,6 +67,8 @@ class Proposal:
             history=self.history,
             estimate=self.estimate,
             forecast=self.forecast,
+            durations=dict(self.durations),
+            measures=dict(self.measures),
         )
 
 

@@ -311,6 +311,8 @@ class Carrier:
     def _ended(self, outcome: str, message: str) -> None:
         run, address = self._run, self.action.edge.text
         now = run.senses.time
+        if outcome == "returned":
+            run.durations[address] = now - self.since
         run.tell(operation_ended(now, address, outcome, message))
 
     def _settle(self, looked: bool = False) -> None:

@@ -87,6 +87,8 @@ class LiveRun:
         self.since = dict.fromkeys(start, self.senses.time)
         self.previous: dict[str, Address] = {}
         self.history: list[Happened] = []
+        self.durations: dict[str, float] = {}
+        """How long the function of each operation took the last time that it returned (s)."""
         self.events: list[Event] = []
         self.below = host if isinstance(host, Telling) else None
         """The host, if it carries out procedures and tells their events."""

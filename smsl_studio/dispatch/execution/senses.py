@@ -8,6 +8,7 @@ from operator import attrgetter
 from types import MappingProxyType
 from typing import NamedTuple
 
+from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.check import NOTHING_SENSED, FactKey, Reading, Scene
 from smsl_studio.host.protocol import Host, OpenedWorld, Tick
 from smsl_studio.monitor.aggregate import FactRule
@@ -117,6 +118,14 @@ class Senses:
     def moment(self) -> Moment:
         """The current time on both clocks."""
         return Moment(self.time, self._live if self._remote is not None else 0.0)
+
+    def measures(self) -> dict[str, tuple[float, ...]]:
+        """Return the last number of each source that the log has, by ``SB/digit/source``."""
+        found = {} if self._record is None else self._record.newest()
+        return {
+            f"{Address(branch)}/{digit}/{source}": numbers
+            for ((branch, digit), source), numbers in found.items()
+        }
 
     def late(self, since: Moment, facts: Collection[FactKey]) -> tuple[FactKey, ...]:
         """Return those of some facts that rest on a reading which is not newer than a time.

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from smsl_studio.errors import UsageError, did_you_mean
-from smsl_studio.front.agents.known_edges import known_edges
+from smsl_studio.front.agents.known_edges import known_edges, unfamiliar
 from smsl_studio.front.agents.rule_table import decision, read_rules
 from smsl_studio.library.operation_library import OperationLibrary
 from smsl_studio.library.prediction import DIFFERS, NONE
@@ -37,13 +37,14 @@ def shipped() -> OperationLibrary:
         """Answer as the first rule of a TOML file that fits (see ``rule_table``)."""
         return decision(read_rules(file), view)
 
-    @library.supervisor("familiar", prepare=known_edges)
-    def familiar(view: SupervisorView, folder: str) -> Answer:
-        """Ask a person about operations that no recorded run has carried out from this state."""
+    @library.supervisor("familiar", prepare=_check_familiar)
+    def familiar(view: SupervisorView, folder: str, slack: float = 0.1) -> Answer:
+        """Ask a person about what no recorded run has: an operation from this state, a duration
+        of the one before it, or a number that a source measures."""
         known = known_edges(folder)
-        new = [name for name in view.operations if name not in known.operations]
+        new = unfamiliar(view, known, slack)
         if new:
-            return ASK, f"{new[0]} stands in none of {known.runs} recorded runs"
+            return ASK, new
         return APPROVE, f"it stands in {known.runs} recorded runs"
 
     @library.supervisor("forecast", prepare=_check_forecast)
@@ -58,6 +59,12 @@ def shipped() -> OperationLibrary:
         return APPROVE, "the forecast agrees"
 
     return library
+
+
+def _check_familiar(folder: str, slack: float = 0.1) -> None:
+    if not 0 <= slack <= 100:
+        raise UsageError(f"a slack of {slack:g} is not from 0 to 100")
+    known_edges(folder)
 
 
 def _check_forecast(differs: str = VETO, missing: str = ASK) -> None:

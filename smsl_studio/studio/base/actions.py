@@ -53,6 +53,8 @@ class Action:
     inner: str = ""
     """The words of the submenu in which the row stands; a menu shows it where its first row is."""
 
+    also: str = ""
+    """Other words for the same, by which the palette finds the row too."""
     once: bool = False
     """Whether a key that is held counts once, because the action lets something move."""
 

@@ -13,6 +13,7 @@ from smsl_studio.front.views.phase_words import phase_words
 from smsl_studio.studio.base.feature import Feature, Shell
 from smsl_studio.studio.features.approval.feature import ApprovalFeature
 from smsl_studio.studio.features.branch_map.feature import BranchMapFeature
+from smsl_studio.studio.features.campaign.feature import NAME, CampaignFeature
 from smsl_studio.studio.features.draw.feature import DrawFeature
 from smsl_studio.studio.features.exchange.feature import ExchangeFeature
 from smsl_studio.studio.features.export.feature import ExportFeature
@@ -90,7 +91,12 @@ class Features(QObject):
         self.room = RoomFeature(lambda: self.run.pane.run, parts.tokens)
         self.room.disturb = self.monitor.show_sensors
         self.room.edit = self._edit_fact
+        self.campaign = CampaignFeature(parts, shell)
+        self.run.further[NAME] = self.campaign.part
         self.run.further["Monitor"] = self.monitor.inside
+        self.run.rows[NAME] = self.campaign.row
+        self.run_exists.connect(self.campaign.show_run)
+        self.campaign.show_page = self.run.show_page
         self.monitor.toggle_page, self.monitor.show_page = self.run.toggle_page, self.run.show_page
         self.supervise = SuperviseFeature(parts, shell, lambda: self.run.pane.run)
         self.people = PeopleFeature(parts, shell, self._run_and_levels, windows.persons)
@@ -100,7 +106,8 @@ class Features(QObject):
         self.inspection.play = self._play_script
         self.inspection.start_at = self._start_at
         self._connect_shapes()
-        self.run.asked = Watched(self.run, self.replay, lambda: shell.mode)
+        self.campaign.replay = lambda path: self.replay.verbs.open(path)
+        self.run.asked = Watched(self.run, self.replay, lambda: shell.mode, self._page_with_keys)
         self.run.shown_elsewhere = self.supervise.is_shown
         self.run.part.when_made(self._introduce)
         self.replay.part.when_made(self._introduce_replay)
@@ -112,8 +119,14 @@ class Features(QObject):
         yield self.rules
         yield from (self.start,)
         yield from (self.exchange, self.export, self.run, self.supervise, self.review)
-        yield from (self.people, self.monitor, self.room)
+        yield from (self.people, self.monitor, self.room, self.campaign)
         yield from (self.replay, self.tour, self.help, self.settings)
+
+    def _page_with_keys(self) -> CampaignFeature | None:
+        """The page of Run that takes the keys of a run: the campaign, while no run moves."""
+        body = self.run.body
+        shown = self._shell.mode == "run" and body is not None and body.shown == NAME
+        return self.campaign if shown and not self.run.moves else None
 
     def _room_page(self) -> RoomPage:
         return self.room.page
@@ -251,15 +264,16 @@ class Features(QObject):
         return self.run.moves
 
     def stop_run(self) -> None:
-        """Stop the run under control."""
+        """Stop the run under control, and end the workers of the campaign."""
         self.run.stop_run()
+        self.campaign.stop_runs()
 
     def stop(self) -> None:
         """End all work, because the window closes. The run ends first."""
         self.end_run()
         for feature in (
             self.replay, self.export, self.exchange, self.approval, self.review, self.merge,
-            self.rules,
+            self.rules, self.campaign,
             self.inspection, self.draw, self.start,
         ):  # fmt: skip
             feature.stop()

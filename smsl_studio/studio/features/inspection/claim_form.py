@@ -186,8 +186,8 @@ class ClaimForm(QWidget):
         self.name.setText(entry.name)
         self.why.setText(entry.why)
         self.number.setText(entry.number)
-        self.first.setText(entry.first)
-        self.second.setText(entry.second)
+        self.first.settle(entry.first)
+        self.second.settle(entry.second)
         for field in (self.first, self.second):
             field.setCursorPosition(0)
         self.set_blueprint(blueprint)

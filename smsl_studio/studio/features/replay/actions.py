@@ -42,7 +42,7 @@ def replay_actions(replay: ReplayActions, windows: AllWindows, shell: Shell) -> 
 
     return (
         Action("open_recording", "Open recording…", replay.open, "File", "clock", section=1,
-               tip="Show a recorded run again, moment by moment"),
+               tip="Show a recorded run again, moment by moment", also="replay log"),
         Action("mode_replay", "Replay", lambda: shell.set_mode("replay"), "View",
                enabled=lambda: replay.is_open, checked=shown, short="Replay",
                tip="Show the recorded run that is open"),

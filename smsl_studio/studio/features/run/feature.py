@@ -18,6 +18,7 @@ from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.base.words import capital
 from smsl_studio.studio.document.files.dialogs import Dialogs
 from smsl_studio.studio.features.run.actions import run_actions
+from smsl_studio.studio.features.run.page_rows import PageRows
 from smsl_studio.studio.features.run.run_pages import HOME, RunPages
 from smsl_studio.studio.running.run_actions import RunActions
 from smsl_studio.studio.running.window_parts import WindowParts
@@ -62,6 +63,8 @@ class RunFeature(Feature):
         """The pages of the mode, after it was shown for the first time."""
         self.further: dict[str, Callable[[], QWidget]] = {}
         """What makes further pages, by the name on the tab."""
+        self.rows: dict[str, Callable[[], QWidget]] = {}
+        """What makes the rows in the mode bar of pages that have their own, by the name."""
 
     @property
     def pane(self) -> RunPane:
@@ -78,7 +81,9 @@ class RunFeature(Feature):
         pane = self.pane
         pages = self.body = RunPages(pane, pane.canvas.canvas)
         self._offer_pages()
-        return Page(pages, pages, pane.transport)
+        rows = PageRows(pane.transport, self.rows)
+        pages.bar.currentChanged.connect(lambda *_: rows.show_page(pages.shown))
+        return Page(pages, pages, rows)
 
     def _offer_pages(self) -> None:
         """Offer the further pages, each made when it is first shown."""

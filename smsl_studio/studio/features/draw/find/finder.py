@@ -100,7 +100,8 @@ class Finder:
             [self._place(target) for _, target in places],
         )
         actions = [a for a in self._actions if self._actions[a.id].isEnabled() and a.id not in OWN]
-        hits = Haystack([f"{a.words.rstrip('…')}\t{a.menu}" for a in actions]).find(typed, MOST)
+        lines = [f"{a.words.rstrip('…')}\t{a.menu}\t{a.also}" for a in actions]
+        hits = Haystack(lines).find(typed, MOST)
         yield (
             "Commands",
             _tier(hits),

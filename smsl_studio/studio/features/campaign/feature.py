@@ -1,0 +1,273 @@
+"""The page Campaign as a feature: its rows in the menus, its file, and what its buttons do."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import Qt
+
+from smsl_studio.errors import SaveError, StudioError
+from smsl_studio.library.loaded import Loaded
+from smsl_studio.studio.base.actions import Action
+from smsl_studio.studio.base.feature import Feature, Shell
+from smsl_studio.studio.base.file_dialogs import ask_to_save
+from smsl_studio.studio.base.late_part import LatePart
+from smsl_studio.studio.base.theme import Tokens
+from smsl_studio.studio.base.words import counted
+from smsl_studio.studio.features.campaign.choice import CampaignChoice, CampaignOffer
+from smsl_studio.studio.running.window_parts import WindowParts
+
+if TYPE_CHECKING:
+    from smsl_studio.front.campaign_runs import RunVerdict
+    from smsl_studio.front.campaign_tally import CampaignCell
+    from smsl_studio.studio.features.campaign.bar import CampaignBar
+    from smsl_studio.studio.features.campaign.page import CampaignPage
+    from smsl_studio.studio.features.campaign.work import CampaignWork
+
+NAME = "Campaign"
+KINDS = "Report (*.html);;Results (*.json)"
+MOST_KEPT = 50
+"""The largest number of campaigns whose results are kept."""
+
+
+class CampaignFeature(Feature):
+    """Offers the page. Its parts are made when it is first shown."""
+
+    def __init__(self, parts: WindowParts, shell: Shell) -> None:
+        self._parts, self._shell, self._tokens = parts, shell, parts.tokens
+        self._loaded: Loaded | None = None
+        self.choice = CampaignChoice(world="", faults=("all",))
+        """What was chosen last; it stays while the window is open."""
+        self.show_page: Callable[[str], None] = lambda name: None
+        """Shows a page of Run by its name."""
+        self.replay: Callable[[Path], None] = lambda path: None
+        """Shows a recorded run."""
+        self.work: CampaignWork | None = None
+        self.part = LatePart(self._make)
+        self.row = LatePart(self._make_row)
+        """What stands in the mode bar while the page is shown."""
+
+    @property
+    def page(self) -> CampaignPage:
+        """The page."""
+        return self.part()
+
+    def _make(self) -> CampaignPage:
+        from smsl_studio.studio.features.campaign.page import CampaignPage
+        from smsl_studio.studio.features.campaign.work import CampaignWork
+
+        session = self._parts.session
+        self.work = CampaignWork(self._parts.window)
+        page = CampaignPage(self.work, self._tokens)
+        self.work.refused.connect(self._parts.toast.refuse)
+        page.new_wanted.connect(self.new)
+        page.rates_wanted.connect(self.write_rates)
+        page.replay_wanted.connect(self._replay)
+        session.blueprint_changed.connect(lambda *_: page.show_drawing(session.blueprint))
+        page.show_drawing(session.blueprint)
+        return page
+
+    def _make_row(self) -> CampaignBar:
+        from smsl_studio.studio.features.campaign.bar import CampaignBar
+
+        self.part()
+        assert self.work is not None
+        row = CampaignBar(self.work, self._tokens)
+        row.new_wanted.connect(self.new)
+        row.export_wanted.connect(self.export)
+        row.turn_wanted.connect(self._turn)
+        row.stop_wanted.connect(self._shell.program.stop_every_run)
+        return row
+
+    def _turn(self) -> None:
+        if self.work is not None and self.work.moves:
+            self.pause()
+        else:
+            self.play()
+
+    def actions(self) -> tuple[Action, ...]:
+        """The rows of the menu Run."""
+        return (
+            Action("campaign_page", "Campaign", self.show, "Run", "", (), self._can_show, section=3,
+                   tip="Many runs with seeds and faults: how often the goal is reached",
+                   also="fault atlas sweep statistics"),
+            Action("new_campaign", "New campaign…", self.new, "", "", (), self._can_show,
+                   tip="Choose world, faults, seeds and workers"),
+        )  # fmt: skip
+
+    def _can_show(self) -> bool:
+        return self._shell.mode != "start"
+
+    def show(self) -> None:
+        """Show the page."""
+        self.show_page(NAME)
+
+    def new(self) -> None:
+        """Ask for a campaign and begin it."""
+        from smsl_studio.studio.features.campaign.dialog import CampaignDialog
+
+        self.show()
+        offer = CampaignOffer(self._parts.session.blueprint, self._loaded)
+        dialog = CampaignDialog(self.choice, offer, self._parts.window)
+        dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+
+        def take() -> None:
+            """Begin what was chosen."""
+            self.choice = dialog.choice
+            self._begin()
+
+        dialog.accepted.connect(take)
+        dialog.open()
+
+    def _begin(self) -> None:
+        folder = self._parts.settings.folder / "campaigns"
+        try:
+            request = self.choice.request(self._parts.session.blueprint, folder)
+            _forget_old(folder)
+        except OSError as error:
+            words = f"{folder} cannot be made: {error.strerror or error}"
+            self._parts.toast.refuse(SaveError(words, advice="Is the disk full?"))
+            return
+        self.page.show_drawing(self._parts.session.blueprint)
+        assert self.work is not None
+        self.work.start(request)
+
+    # The keys of a run, while the page is shown.
+
+    def play(self) -> None:
+        """Go on with a campaign that is paused; without one, ask for one."""
+        if self.work is not None and self.work.phase == "paused" and not self.page.is_another:
+            self.work.resume()
+        elif self.work is None or not self.work.moves:
+            self.new()
+
+    def pause(self) -> None:
+        """Let the current run end, and keep what is done."""
+        if self.work is not None:
+            self.work.pause()
+
+    def stop_runs(self) -> None:
+        """End all workers now. What is done is kept."""
+        if self.work is not None:
+            self.work.stop()
+
+    def write_rates(self) -> None:
+        """Show the measured costs and risks beside the declared ones, and write what is chosen."""
+        from smsl_studio.front.campaign_rates import proposals, with_rates
+        from smsl_studio.studio.features.campaign.rates_dialog import RatesDialog
+
+        assert self.work is not None
+        session = self._parts.session
+        dialog = RatesDialog(proposals(session.blueprint, self.work.tally), self._parts.window)
+        dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+
+        def write() -> None:
+            """Write what was chosen, as one step of the history."""
+            chosen = dialog.chosen
+            done = session.edit(
+                "Costs and risks of the campaign", lambda before: with_rates(before, chosen)
+            )
+            if done:
+                count = counted(len(chosen), "operation")
+                words = f"Wrote costs and risks of {count}."
+                self._parts.toast.offer(words, "Undo", session.history.undo)
+
+        dialog.accepted.connect(write)
+        dialog.open()
+
+    def export(self) -> None:
+        """Save a report or the results."""
+        from smsl_studio.front.campaign_page import campaign_page
+        from smsl_studio.smsl.files import save_document
+
+        work = self.work
+        assert work is not None
+        assert work.request is not None
+        stem = Path(work.request.blueprint.file).stem
+        path = self._parts.files.path
+        folder = path.parent if path is not None else Path.home()
+        suggested = str(folder / f"{stem}-campaign.html")
+        name, kind = ask_to_save(self._parts.window, "Export the campaign", suggested, KINDS)
+        if not name:
+            return
+        done = work.tally.result(work.digest, work.left_out)
+        if "json" in kind or name.endswith(".json"):
+            raw = f"{json.dumps(done.as_json(), indent=1)}\n".encode("ascii")
+        else:
+            raw = campaign_page(work.request, done).encode("utf-8")
+        read = [one.file for one in work.request.blueprint.documents]
+        try:
+            save_document(raw, Path(name), made_of=read)
+        except StudioError as error:
+            self._parts.toast.refuse(error)
+            return
+        self._parts.toast.say(f"Saved {Path(name).name}.")
+
+    def _replay(self, cell: CampaignCell, seed: int) -> None:
+        """Carry a run of a cell out again with a log, and show it."""
+        from smsl_studio.front.campaign_runs import RunVerdict
+
+        work = self.work
+        assert work is not None
+        assert work.request is not None
+        folder = self._parts.settings.folder / "campaigns" / "replays"
+        fault = cell.fault or "none"
+        log = folder / f"{Path(work.request.blueprint.file).stem}-{fault}-{cell.row}-{seed}.jsonl"
+        try:
+            folder.mkdir(parents=True, exist_ok=True)
+            log.unlink(missing_ok=True)
+            _forget_old(folder)
+        except OSError as error:
+            self._parts.toast.refuse(SaveError(f"{log} was not written: {error.strerror or error}"))
+            return
+        before, side = cell.verdicts[seed], self.page.side
+        side.say(f"Carrying out the run of seed {seed} again…")
+
+        def show(came: RunVerdict | StudioError) -> None:
+            """Show the log, and say so if the run was another one than before."""
+            side.say("")
+            if not isinstance(came, RunVerdict):
+                self._parts.toast.refuse(came)
+                return
+            self.replay(log)
+            if came.sha256 != before.sha256:
+                self._parts.toast.tell(
+                    "This run is not the one of the campaign: its events differ.",
+                    "Show the campaign", self.show, "W",
+                )  # fmt: skip
+
+        work.record(work.request.run(seed, cell.injection), log, show)
+
+    # What the shell needs.
+
+    def set_plugins(self, loaded: Loaded, known: bool) -> None:
+        """Receive what the installed plugins offer."""
+        self._loaded = loaded if known else None
+
+    def set_tokens(self, tokens: Tokens) -> None:
+        """Use the colours of another theme."""
+        self._tokens = tokens
+        if self.part.made is not None:
+            self.part.made.set_tokens(tokens)
+        if self.row.made is not None:
+            self.row.made.set_tokens(tokens)
+
+    def show_run(self, exists: bool) -> None:
+        """Take note whether there is a run, which Stop stops too."""
+        if self.row.made is not None:
+            self.row.made.show_run(exists)
+
+    def stop(self) -> None:
+        """End all work, because the window closes. What is done is kept."""
+        if self.work is not None:
+            self.work.shut()
+
+
+def _forget_old(folder: Path) -> None:
+    """Remove the files of a folder that are older than the ``MOST_KEPT`` newest ones."""
+    files = sorted(folder.glob("*.jsonl"), key=lambda one: one.stat().st_mtime, reverse=True)
+    for one in files[MOST_KEPT:]:
+        one.unlink(missing_ok=True)
