@@ -17,6 +17,8 @@ class PageRows(QWidget):
         self._across = QHBoxLayout(self)
         self._across.setContentsMargins(0, 0, 0, 0)
         self._across.addWidget(home)
+        # It was hidden as long as it stood nowhere.
+        home.show()
 
     def show_page(self, name: str) -> None:
         """Show the row of a page."""
