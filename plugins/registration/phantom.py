@@ -21,6 +21,9 @@ RADIUS = 0.08
 COUNT = 5
 """The number of landmarks of a plan."""
 
+LANDMARK, DOT = "landmark", 0.006
+"""The name of the balls that show landmarks, before their number, and their radius (m)."""
+
 STEEPEST = 0.48
 """The largest angle (rad) of a landmark's normal from the vertical; beyond it the arm would have to
 fold more than it can."""
@@ -35,6 +38,18 @@ def phantom_body() -> Body:
     ball = Capsule(RADIUS, 0.0001)
     mesh = turned(_outline(), 48)
     return Body(NAME, ball, _tuple(CENTRE), mesh=soup(mesh), colour=(0.86, 0.72, 0.62), label=NAME)
+
+
+def landmark_bodies() -> list[Body]:
+    """Return balls that show the planned landmarks. They are for the eye: the pointer touches the
+    formula of the phantom, not them. Until there is a plan they are hidden in it."""
+    angles = np.linspace(-math.pi / 2, math.pi / 2, 9)
+    ball = soup(turned([(DOT * math.cos(a), DOT * math.sin(a)) for a in angles], 16))
+    core = Capsule(0.0005, 0.0001)
+    return [
+        Body(f"{LANDMARK} {number + 1}", core, _tuple(CENTRE), mesh=ball, colour=(0.1, 0.25, 0.75))
+        for number in range(COUNT)
+    ]
 
 
 def landmarks(seed: int, plan: int) -> Array:

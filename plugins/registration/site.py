@@ -14,7 +14,16 @@ from smsl_studio.world.known_values import refuse_others
 from smsl_studio.world.meshes import soup, turned
 
 from .navigation import GOOD, Array, Fit, Navigation, fit
-from .phantom import CENTRE, NAME, TARGETS, landmarks, phantom_body
+from .phantom import (
+    CENTRE,
+    COUNT,
+    LANDMARK,
+    NAME,
+    TARGETS,
+    landmark_bodies,
+    landmarks,
+    phantom_body,
+)
 from .tracker import MOVED, Stand, Tracker, apart, camera_body, reference_body
 
 if TYPE_CHECKING:
@@ -56,15 +65,15 @@ class Site:
             )
         refuse_others(roots[0], MEANINGS[roots[0].num_facts], ("0", "1"))
         self.world, self.seed = world, seed
-        self.navigation = Navigation()
         self.root, self._meanings = roots[0].name, MEANINGS[roots[0].num_facts]
         self.tracker = Tracker(world, seed)
+        self._shown = 0
         self._begin()
 
     def furnish(self) -> None:
         """Put all bodies into the empty world."""
         self.world.add(Body("floor", Floor(), (0.0, 0.0, 0.0)))
-        for body in (phantom_body(), reference_body(), camera_body()):
+        for body in (phantom_body(), reference_body(), camera_body(), *landmark_bodies()):
             self.world.add(body)
         self.world.add(ARM)
         self.world.settle()
@@ -99,7 +108,24 @@ class Site:
         if REGISTERED in true:
             self.register()
 
+    @property
+    def navigation(self) -> Navigation:
+        """What is known of the patient."""
+        return self._navigation
+
+    @navigation.setter
+    def navigation(self, now: Navigation) -> None:
+        self._navigation = now
+        plan = now.plans if len(now.planned) else 0
+        if plan != self._shown:
+            self._shown = plan
+            places = self.marks() if plan else np.tile(CENTRE, (COUNT, 1))
+            for number, (x, y, z) in enumerate(places.tolist()):
+                self.world.place(f"{LANDMARK} {number + 1}", (x, y, z))
+
     def _begin(self) -> None:
+        """Begin in a world that was just built, where no landmark is shown."""
+        self._shown = 0
         self.navigation = Navigation()
         self.bend: Array = np.zeros(3)
         draw = np.random.default_rng([self.seed, 104729])

@@ -126,7 +126,8 @@ class _Loads:
     def _ready(self, now: float) -> set[int]:
         """Wait for files that can be read, or for the end of a process, and return these files.
 
-        The set is empty if a turn or a limit ends first. EOFError if the parent is gone.
+        The set is empty if a turn ends first, or it is time for the next look at the processes.
+        EOFError if the parent is gone.
         """
         look = select.poll()
         look.register(self._wire.fileno(), 0)

@@ -9,8 +9,7 @@ all the same.
 from __future__ import annotations
 
 import os
-import time
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -19,7 +18,9 @@ from smsl_studio.host.codec import Unfit
 from smsl_studio.host.confinement import keeps_apart
 from smsl_studio.host.description import read_description
 from smsl_studio.host.exit_words import ending_words
+from smsl_studio.host.patience import Patience
 from smsl_studio.host.plugin_child import STEP
+from smsl_studio.host.processor import ProcessorTime
 from smsl_studio.host.started_child import Child, start_child
 from smsl_studio.host.wire import NoAnswer
 from smsl_studio.library.loaded import Loaded, Plugin, PluginFault
@@ -28,10 +29,11 @@ from smsl_studio.library.survey import FoundPlugin, PluginState, survey
 from smsl_studio.stop import heed
 
 LIMIT = 20.0
-"""The wall time (s) that one plugin may take to load."""
+"""The time (s) that one plugin may take to load. Of this and the next limit, time in which the
+machine gives the processes next to no processor time does not count (see ``Patience``)."""
 
 GRACE = 10.0
-"""The wall time (s) that the child itself may take to start, and to end a plugin at its limit."""
+"""The time (s) that the child itself may take to start, and to end a plugin at its limit."""
 
 LOOK = 0.05
 """The wall time (s) between two checks of the limit and the stop."""
@@ -44,12 +46,13 @@ def describe(
 ) -> Loaded:
     """Return the result of ``discover``, with ``AbsentCode`` in the place of all code.
 
-    ``limit`` is the wall time (s) for one plugin. ``together`` is the number of plugins that load
-    at the same time (None: one per processor, if the system keeps them apart). A call takes about
-    as long as a start of Python, and at most 1.5 times ``limit``. If ``together`` is 0, plugins
-    load one after the other, and each plugin that hangs takes its whole ``limit``. The result and
-    the order of all faults do not depend on ``together``. HostError if no child can be started. A
-    stop (see ``stop``) ends the child.
+    ``limit`` is the time (s) for one plugin, without time that the machine does not give it (see
+    ``Patience``). ``together`` is the number of plugins that load at the same time (None: one per
+    processor, if the system keeps them apart). A call takes about as long as a start of Python, and
+    at most 1.5 times ``limit`` if the machine is free. If ``together`` is 0, plugins load one after
+    the other, and each plugin that hangs takes its whole ``limit``. The result and the order of all
+    faults do not depend on ``together``. HostError if no child can be started. A stop (see
+    ``stop``) ends the child.
     """
     every = survey(plugin_paths)
     if together is None:
@@ -75,19 +78,21 @@ def _asked(
         raise HostError(f"no process can be started: {error.strerror or error}") from None
     told: dict[str, Plugin | PluginFault] = {}
     begun: dict[str, FoundPlugin] = {}
+    loading: dict[int, int] = {}
     try:
         child.wire.send("describe", (list(found), limit, together))
-        while (step := _next(child, limit)) is not None:
-            number, _, body, words = step
+        while (step := _next(child, limit, loading.values())) is not None:
+            number, pid, body, words = step
             if number >= len(found):
                 raise NoAnswer("it tells of a plugin that was not asked for")
             at = found[number]
+            loading.pop(number, None)
             if body is not None:
                 told[at.location] = _read(body, at)
             elif words:
                 told[at.location] = _fault(at, words)
             else:
-                begun[at.location] = at
+                begun[at.location], loading[number] = at, pid
         return told
     except TimeoutError:
         words = f"it did not load within {limit:g} s"
@@ -107,12 +112,19 @@ def _asked(
     return told
 
 
-def _next(child: Child, limit: float) -> tuple[Any, ...] | None:
-    """Wait for the next message of the child and return it. None at the end."""
-    until = time.monotonic() + limit + GRACE
+def _next(child: Child, limit: float, loading: Collection[int]) -> tuple[Any, ...] | None:
+    """Wait for the next message of the child and return it. None at the end.
+
+    ``loading`` has the numbers of the processes in which the child loads plugins.
+    """
+    wait, pids = Patience(limit + GRACE), (child.pid, *loading)
+    given = [ProcessorTime.of(pid) for pid in pids]
     while (frame := child.heard(LOOK)) is None:
         heed()
-        if time.monotonic() > until:
+        before, given = given, [ProcessorTime.of(pid) for pid in pids]
+        pairs = zip(given, before, strict=True)
+        wait.look(shut_out=any(now.shut_out_since(then) for now, then in pairs))
+        if wait.over:
             raise TimeoutError
     return STEP.decode(frame.body) if frame.kind == "loads" else None
 

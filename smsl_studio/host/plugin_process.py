@@ -12,9 +12,14 @@ from typing import NamedTuple
 
 from smsl_studio.host.description import LARGEST
 from smsl_studio.host.exit_words import ending_words, exit_code
+from smsl_studio.host.patience import Patience
+from smsl_studio.host.processor import ProcessorTime
 
 PATIENCE = 2.0
 """The time (s) that a process may take to end after it has closed its pipe."""
+
+LOOK = 0.05
+"""The wall time (s) from one look at the processor time of the process to the next."""
 
 SIZE = struct.Struct("!I")
 """The number of bytes of a description, which stands before it on the pipe."""
@@ -30,6 +35,7 @@ class PluginAnswer(NamedTuple):
 class PluginProcess:
     """A process that loads a plugin, for at most ``limit`` seconds.
 
+    Time in which the machine gives it next to no processor time does not count (see ``Patience``).
     The first ``turn`` seconds are its turn: in this time it counts among the processes that load
     together.
     """
@@ -42,7 +48,8 @@ class PluginProcess:
         self._gone = os.pidfd_open(pid)
         self._come = bytearray()
         self._limit = limit
-        self._until = now + limit
+        self._wait = Patience(limit)
+        self._given = ProcessorTime.of(pid)
         self._turn = now + turn
         self._closed = False
 
@@ -56,8 +63,9 @@ class PluginProcess:
         return now < self._turn
 
     def due(self, now: float) -> float:
-        """Return the monotonic time (s) at which its turn or its time limit ends."""
-        return min(self._turn, self._until) if self.has_turn(now) else self._until
+        """Return the monotonic time (s) at which to call ``told`` at the latest."""
+        look = now + LOOK
+        return min(self._turn, look) if self.has_turn(now) else look
 
     def told(self, ready: Set[int]) -> PluginAnswer | None:
         """Read from the files that are ``ready``. Return the answer, or None if it is not yet
@@ -75,7 +83,8 @@ class PluginProcess:
             return PluginAnswer(
                 None, f"the process that loaded it {ending_words(exit_code(self.pid))}"
             )
-        if time.monotonic() < self._until:
+        self._look()
+        if not self._wait.over:
             return None
         if self._closed:
             return PluginAnswer(None, "it closed the pipe on which it is described")
@@ -90,9 +99,16 @@ class PluginProcess:
         whole = bytes(self._come[SIZE.size : SIZE.size + size])
         return PluginAnswer(whole) if len(whole) == size else None
 
+    def _look(self) -> None:
+        """Count the time since the last look, unless it is too short to tell whether it worked."""
+        if time.monotonic() - self._given.at < LOOK:
+            return
+        before, self._given = self._given, ProcessorTime.of(self.pid)
+        self._wait.look(shut_out=self._given.shut_out_since(before))
+
     def _let_go(self) -> None:
         self._closed = True
-        self._until = time.monotonic() + PATIENCE
+        self._wait = Patience(PATIENCE)
 
     def kill(self) -> None:
         """Kill the process and its process group, without waiting for their end."""

@@ -76,6 +76,9 @@ class Loaded:
                     f"the world {name!r} is of the plugin {found.name!r} in {found.location}, "
                     f"which is not loaded: {found.reason}"
                 )
+        if not name:
+            advice = f"Choose one: there are {', '.join(self.worlds)}."
+            raise WorldError("no world is chosen", advice=advice)
         near = did_you_mean(name, self.worlds)
         # The worlds of a plugin that did not load are not known.
         faults = [fault for fault in self.faults if not near or name in fault.plugin]

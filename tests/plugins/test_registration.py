@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import numpy as np
 import pytest
 
 import smsl_studio as smsl
@@ -69,6 +70,38 @@ def test_a_saved_registration_is_used_until_the_reference_is_bumped() -> None:
         assert do("Op_ClearLandmarks") == ""
         dispatcher.inject("reference_bumped", by="a test", millimetres=3.0)
         assert "the reference has moved by 3.0 mm since it was saved" in do("Op_UsePrevReg")
+    finally:
+        dispatcher.close()
+
+
+def test_the_planned_landmarks_are_seen_on_the_phantom_until_they_are_cleared() -> None:
+    dispatcher = smsl.open_run(
+        smsl.read(samples_dir() / FLAT), "registration", host="local", automatic=False
+    )
+    list(dispatcher.open())
+
+    def seen() -> list[float]:
+        """Return how far (mm) the five balls are from the middle of the phantom."""
+        assert dispatcher.opened is not None
+        names = [shape.name for shape in dispatcher.opened.shapes]
+        poses = dispatcher.host.poses()
+        wanted = ("phantom", *(f"landmark {number}" for number in range(1, 6)))
+        middle, *balls = (np.array(poses[7 * i : 7 * i + 3]) for i in map(names.index, wanted))
+        return [round(1000 * float(np.linalg.norm(ball - middle)), 6) for ball in balls]
+
+    def do(state: str, name: str) -> None:
+        dispatcher.ask(Address("REGISTRATION", state, name))
+        dispatcher.tick()
+        while dispatcher.phase == "running":
+            dispatcher.tick()
+
+    try:
+        dispatcher.tick()
+        assert seen() == [0.0] * 5
+        do("State_0000", "Op_PlanLandmarks")
+        assert seen() == [80.0] * 5
+        do("State_1000", "Op_ClearLandmarks")
+        assert seen() == [0.0] * 5
     finally:
         dispatcher.close()
 

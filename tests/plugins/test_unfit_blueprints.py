@@ -88,7 +88,8 @@ def test_a_blueprint_of_two_roots_is_refused(world: str) -> None:
 
 @pytest.mark.parametrize("name", ["hanoy", "", "river\n", "\x1b[31mred", "x" * 500])
 def test_an_unknown_world_is_told_before_anything_is_built(name: str) -> None:
-    with pytest.raises(StudioError, match="there is no world") as told:
+    words = "there is no world" if name else "no world is chosen"
+    with pytest.raises(StudioError, match=words) as told:
         smsl.run(chain(["aaa", "baa"], "Op_1b"), name, host="local")
     assert str(told.value).isprintable()
 

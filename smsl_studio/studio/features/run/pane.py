@@ -20,7 +20,7 @@ from smsl_studio.front.views.possible_rows import CHOOSABLE, possible_rows
 from smsl_studio.front.views.timeline_lanes import lanes
 from smsl_studio.library.loaded import Loaded
 from smsl_studio.runlog.events import Event
-from smsl_studio.studio.base.controls import label
+from smsl_studio.studio.base.controls import Elided, label
 from smsl_studio.studio.base.icons import icon
 from smsl_studio.studio.base.tabs import Tabs
 from smsl_studio.studio.base.theme import Tokens
@@ -262,7 +262,8 @@ class RunPane(QWidget):
         column.addWidget(whole)
 
     def _right(self) -> QSplitter:
-        self._facts_rate, self._facts_note = label("", "small"), label("", "small")
+        self._facts_rate, self._facts_note = label("", "small"), Elided("")
+        self._facts_note.setProperty("role", "small")
         self.monitor_button = tool(
             "Monitor", "signal", "Every sensor and node (Ctrl+M)", self._tokens
         )
@@ -356,8 +357,7 @@ class RunPane(QWidget):
         self.timeline.show_lanes(lanes(blueprint, status, run.story, run.sensors), run.time)
         check = status.check or last_check(blueprint, status, lost)
         self.check.show_check(blueprint, check, waiting=status.running is not None)
-        running = status.running
-        self._facts_note.setText(f"{running.operation} in transit" if running else "")
+        self._facts_note.setText(f"{status.running.operation} in transit" if status.running else "")
         self._show_active()
 
     def _show_active(self) -> None:

@@ -21,9 +21,10 @@ Corner = NDArray[np.float64]
 NEAREST, FARTHEST = 0.15, 8.0
 """The least and the greatest distance (m) of a camera from its target."""
 
-HAND, FILLED = 0.16, (0.86, 0.78)
-"""The room (m) above what a view shows, for a hand that works there, and the share of the width and
-of the height of a picture that a view fills at most: below things stand their names."""
+HAND, SMALL_HAND, FILLED = 0.16, 0.45, (0.86, 0.78)
+"""The room (m) above what a view shows, for a hand that works there: at most this share of the
+longer side of a small table. And the share of the width and of the height of a picture that a view
+fills at most: below things stand their names."""
 
 EIGHT = tuple((i, j, k) for i in (0, 1) for j in (0, 1) for k in (0, 1))
 
@@ -53,7 +54,7 @@ class WorldCamera:
         """The camera on the same side of a box of the world, as near as the box and the room above
         it, where a hand works, fit into a picture. ``aspect`` is its width over its height."""
         low, high = np.array(box[0]), np.array(box[1])
-        high[2] += HAND
+        high[2] += min(HAND, SMALL_HAND * float(max(high[:2] - low[:2])))
         x, y, z = ((low + high) / 2).tolist()
         near, far = NEAREST, FARTHEST
         for _ in range(24):

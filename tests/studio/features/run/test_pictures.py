@@ -85,6 +85,19 @@ def test_a_view_shows_the_whole_of_what_is_to_be_seen() -> None:
                 assert -20 < at[1] < 520
 
 
+def test_a_small_table_is_seen_nearly_as_large_as_a_large_one() -> None:
+    """The table of the dVRK is a third of the others: its view comes nearer."""
+    wide = []
+    for size in (1.0, 0.35):
+        low, high = (0.45, -0.18 * size, 0.0), (0.55, 0.18 * size, 0.06 * size)
+        framed = VIEWS["Front"].framing((low, high), 700 / 210)
+        left, right = (_pixel(framed, (0.5, side, 0.0), 700, 210) for side in (low[1], high[1]))
+        assert left is not None
+        assert right is not None
+        wide.append(abs(right[0] - left[0]))
+    assert wide[1] > 0.7 * wide[0]
+
+
 def test_the_box_of_shapes_follows_their_poses() -> None:
     wall, half = _wall(0.0, 0.0, (1, 0, 0)), math.sqrt(0.5)
     low, high = box_of([wall, wall], (*STILL, 2.0, 0.0, 1.0, 0.0, 0.0, half, half)) or ((), ())
