@@ -55,7 +55,7 @@ class DecidedBy:
     @property
     def decided(self) -> str:
         """What was decided, in words: ``3 approve, 1 veto``."""
-        return ", ".join(f"{count} {word.replace('_', ' ')}" for word, count in self.said.items())
+        return ", ".join(f"{count} {_plural(word, count)}" for word, count in self.said.items())
 
     @property
     def waited(self) -> str:
@@ -64,6 +64,10 @@ class DecidedBy:
             return ""
         middle, longest = statistics.median(self.waits), max(self.waits)
         return f"{middle:.1f} s" + (f", at most {longest:.1f} s" if len(self.waits) > 1 else "")
+
+
+def _plural(word: str, count: int) -> str:
+    return "facts told" if word == FACT_TOLD and count != 1 else word.replace("_", " ")
 
 
 @dataclass(slots=True)

@@ -127,3 +127,8 @@ def test_a_person_of_a_script_who_answers_an_agent(tmp_path: Path) -> None:
     done = front.run(blueprint, supervisor=asks, script=read_script(file, blueprint))
     found = said(deciders(done.events, asks))
     assert found[asks].endswith("ask")
+
+
+def test_several_decisions_of_a_kind_are_in_the_plural() -> None:
+    assert DecidedBy("Ada", False, {"fact told": 1, "go_on": 2}).decided == "1 fact told, 2 go on"
+    assert DecidedBy("Ada", False, {"fact told": 2}).decided == "2 facts told"

@@ -78,6 +78,36 @@ def test_twenty_operations_scroll_and_the_active_state_stays_in_sight(
     assert "Operation_of_a_rather_long_name_20" in at.asked
 
 
+def test_the_operation_that_waits_below_the_others_is_scrolled_into_view(
+    sit: Sit, tmp_path: Path
+) -> None:
+    states = [f"State_{n:04b}" for n in range(14)]
+    table: dict[str, dict[str, object]] = {name: {"Home": states[13]} for name in states}
+    table[states[0]] = {f"Way_{n}": states[n] for n in range(1, 13)}
+    notes = {f"Way_{n}": {"cost": 9} for n in range(1, 12)} | {"Way_12": {"confirm": ["anybody"]}}
+    header = {"NUM_FACTS": 4, "INITIAL": states[0], "ACTIVATING": states[13]}
+    path = tmp_path / "ways.json"
+    values = {"SB1": {"HEADER": header, "_operations": notes, **table}}
+    path.write_text(json.dumps(values), "utf-8")
+    at = AtSupervise(sit(path, (1280, 800)))
+    at.person.ctrl(Key.Key_2)
+    at.person.choose(at.person.window.features.run.pane.transport.world, "table")
+    at.person.ctrl(Key.Key_3)
+    at.press(Key.Key_F5)
+    at.until_phase("Waiting for a human")
+    board = at.pane.board
+
+    def is_seen() -> bool:
+        """Whether the last card is wholly in view."""
+        last = board.cards[-1]
+        corner = last.mapTo(board.viewport(), last.rect().topLeft())
+        return board.viewport().rect().contains(QRect(corner, last.size()))
+
+    at.person.qtbot.waitUntil(is_seen)
+    board.verticalScrollBar().setValue(0)
+    at.person.qtbot.waitUntil(lambda: not is_seen())
+
+
 def test_the_active_state_is_lit_in_the_text_while_a_run_exists(sit: Sit) -> None:
     at = AtSupervise(sit(HANOI))
     at.start_paused()

@@ -79,9 +79,9 @@ class AnswerPart(QWidget):
         self.button.setAccessibleName(plain_text(words))
 
     def _state(self, card: CardView, chosen: OptionView | None) -> tuple[bool, str]:
-        if self.who.person is None:
+        if self.who.person is None or card.objection:
             return False, WHO
-        if chosen is None or card.objection:
+        if chosen is None:
             return False, CHOOSE
         if not self.who.opens():
             return False, PIN

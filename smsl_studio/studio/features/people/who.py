@@ -89,7 +89,9 @@ class Who(QWidget):
     def _refill(self) -> None:
         known = self._persons.all or (SOMEBODY,)
         if self._person is not None:
-            self._person = self._persons.named(self._person.name)
+            # Who was nobody and enters a name now is that person, and need not say so again.
+            nameless = self._person == SOMEBODY
+            self._person = self._persons.me if nameless else self._persons.named(self._person.name)
             if self._person is None and known == (SOMEBODY,):
                 self._person = SOMEBODY
         elif not self._persons.all:

@@ -3,7 +3,7 @@ targets."""
 
 from __future__ import annotations
 
-from PySide6.QtCore import QPoint, QRect, Qt, Signal
+from PySide6.QtCore import QPoint, QRect, Qt, QTimer, Signal
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QFrame, QScrollArea, QWidget
 
@@ -15,6 +15,7 @@ from smsl_studio.studio.features.supervise.card import CardButton, CardForecast
 from smsl_studio.studio.features.supervise.columns import Columns
 from smsl_studio.studio.features.supervise.spot import StateSpot
 from smsl_studio.studio.features.supervise.surface import PartialSurface
+from smsl_studio.studio.features.supervise.wires import LIT
 
 
 class Board(QScrollArea):
@@ -28,6 +29,7 @@ class Board(QScrollArea):
     def __init__(self, tokens: Tokens, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._inner = PartialSurface(tokens)
+        self._at_hand: Address | None = None
         self._inner.card_chosen.connect(self.card_chosen)
         self._inner.seen_wanted.connect(self._see)
         self.setWidget(self._inner)
@@ -86,6 +88,12 @@ class Board(QScrollArea):
         """
         self._inner.show_view(blueprint, view, chosen, sensed)
         self._follow()
+        hand = self._hand()
+        at_hand = hand.card.address if hand is not None else None
+        if at_hand != self._at_hand:
+            self._at_hand = at_hand
+            # The board has the height of its new cards a moment later.
+            QTimer.singleShot(0, self, self._see_hand)
 
     def show_forecast(self, told: CardForecast | None) -> None:
         """Show a forecast on the card of its operation. None takes the words away."""
@@ -102,6 +110,16 @@ class Board(QScrollArea):
         found = self._inner.columns
         if found is not None:
             self.columns_moved.emit(found)
+
+    def _hand(self) -> CardButton | None:
+        """The card of the operation that is proposed or under way; None without one."""
+        return next((one for one in self.cards if one.card.standing in LIT), None)
+
+    def _see_hand(self) -> None:
+        """Scroll to the operation at hand, once. A person may scroll away from it."""
+        hand = self._hand()
+        if hand is not None:
+            self._see(hand)
 
     def _see(self, card: QWidget) -> None:
         self.ensureWidgetVisible(card, 0, 12)

@@ -19,6 +19,7 @@ from smsl_studio.runlog.events import TaskAnswered, TaskClosed
 from smsl_studio.studio.base.settings import Settings
 from smsl_studio.studio.base.theme import DARK, LIGHT
 from smsl_studio.studio.features.people.task_card import TaskCard
+from smsl_studio.studio.features.people.who import Who
 from smsl_studio.studio.running.persons import Person, Persons
 from tests.front.views.test_card_view import TASK
 
@@ -199,11 +200,26 @@ def test_who_may_not_answer_is_led_to_the_choice_of_persons(show: Show) -> None:
     card.show_tasks((replace(TASK, roles=("surgeon",), answered=()),), 28.0)
     assert card.card is not None
     assert card.card.objection
+    assert card.answer.button.text() == "Say who you are"
     card.take_focus()
     assert card.answer.who.choice.hasFocus()
     _press(card, Key.Key_Down)
     card.take_focus()
     assert card.options[0].hasFocus(), "who may answer is led to the answers"
+
+
+def test_who_enters_the_first_name_answers_under_it(qtbot: QtBot, tmp_path: Path) -> None:
+    persons = Persons(Settings(tmp_path))
+    who = Who(persons)
+    qtbot.addWidget(who)
+    assert who.person == Person("a person", "")
+    persons.put(OKAFOR)
+    assert who.person == OKAFOR
+    persons.put(BRANDT)
+    assert who.person == OKAFOR
+    who.ask_again()
+    persons.put(Person("N. Kaya", "nurse"))
+    assert who.person is None, "who is asked to say so is asked until then"
 
 
 def test_after_an_answer_is_chosen_the_keys_go_to_the_pin_that_is_asked(show: Show) -> None:
