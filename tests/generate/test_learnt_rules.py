@@ -16,13 +16,14 @@ from smsl_studio.blueprint.reading import read_blueprint
 from smsl_studio.errors import PlanningError
 from smsl_studio.generate.examples.learnt import Learnt, RuleException, learnt_from
 from smsl_studio.generate.examples.mistakes import repaired
-from smsl_studio.generate.examples.table import Example, ExampleTable, examples_of
+from smsl_studio.generate.examples.table import examples_of
 from smsl_studio.generate.rule_file import read_rules
 from smsl_studio.generate.rule_states import ruled_branch
 from smsl_studio.generate.rules import hanoi_values
 from smsl_studio.shipped import samples_dir
 from smsl_studio.smsl.json_form import parse_json, write_json
 from tests.generate.families import FAMILIES
+from tests.generate.seeded_mistakes import KINDS, mistaken
 
 SAMPLES = ("river", "chess", "registration")
 
@@ -117,22 +118,25 @@ def test_the_misprints_of_the_paper_come_out() -> None:
     assert smsl.diff_behaviour(again(learnt), corrected).equal
 
 
-def mistaken(table: ExampleTable, edge: Example, rng: random.Random) -> ExampleTable:
-    """The table with one edge that is gone or leads elsewhere."""
-    others = [values for values in table.states if values != edge.target]
-    return table.with_edge(
-        edge.operation, edge.source, None if rng.random() < 0.5 else rng.choice(others)
-    )
-
-
 @pytest.mark.parametrize("name", REVERSIBLE)
 def test_single_mistakes_are_found(name: str) -> None:
     table = examples_of(REVERSIBLE[name]())
     rng = random.Random(name)
-    edges = list(table.all_edges())
-    for edge in rng.sample(edges, min(len(edges), 8)):
-        found = repaired(mistaken(table, edge, rng))
-        assert set(found.all_edges()) == set(edges), edge
+    for kind in [*KINDS[:2]] * 4:
+        found = mistaken(table, kind, rng)
+        assert found is not None
+        assert set(repaired(found).all_edges()) == set(table.all_edges()), kind
+
+
+@pytest.mark.parametrize("name", ["hanoi 3", "river", "ferry of four"])
+def test_operations_that_are_too_much_and_wrong_names_are_found(name: str) -> None:
+    table = examples_of(REVERSIBLE[name]())
+    rng = random.Random(name)
+    missed = 0
+    for kind in [*KINDS[2:]] * 4:
+        found = mistaken(table, kind, rng)
+        missed += found is not None and set(repaired(found).all_edges()) != set(table.all_edges())
+    assert missed <= 1
 
 
 @pytest.mark.parametrize("name", ["hanoi 2", "river", "registration", "ferry of four"])

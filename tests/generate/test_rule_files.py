@@ -13,8 +13,8 @@ from smsl_studio.errors import ReadError, UsageError
 from smsl_studio.generate.rule_conditions import condition
 from smsl_studio.generate.rule_file import read_rules
 from smsl_studio.generate.rule_states import ruled_branch
-from smsl_studio.generate.rules import hanoi_values
 from smsl_studio.shipped import samples_dir
+from tests.generate import brute_force
 
 RULES = samples_dir() / "rules"
 
@@ -29,22 +29,48 @@ def table_of(name: str) -> dict[str, dict[str, str]]:
 @pytest.mark.parametrize(
     ("name", "table"),
     [
-        ("hanoi-3", hanoi_values(3)["SB1"]),
-        ("hanoi-4", hanoi_values(4)["SB1"]),
+        ("hanoi-3", brute_force.hanoi(3)),
+        ("hanoi-4", brute_force.hanoi(4)),
         ("river", river()),
         ("chess", chess()),
+        ("registration", brute_force.registration()),
     ],
 )
 def test_the_families_are_those_of_an_independent_search(
     name: str, table: dict[str, dict[str, str]]
 ) -> None:
-    assert table_of(name) == {state: own for state, own in table.items() if state != "HEADER"}
+    assert table_of(name) == table
 
 
 def test_registration_is_the_papers() -> None:
     made = smsl.generate_rules(RULES / "registration.toml").blueprint
     paper = smsl.read(samples_dir() / "registration.json")
     assert smsl.diff_behaviour(made, paper).equal
+
+
+def hanoi_rules(disks: int) -> str:
+    """The rules of the sample for another number of disks."""
+    pegs = "values = ['a', 'b', 'c']"
+    facts = ", ".join(f"{{name = 'disk {n}', {pegs}}}" for n in range(1, disks + 1))
+    text = f"facts = [{facts}]\nstart = {['a'] * disks}\ngoal = {['c'] * disks}\n"
+    for n in range(1, disks + 1):
+        cases = []
+        for peg in "abc":
+            parts = [f"'disk {n}' = {peg}", f"'disk {n}' != {{to}}"]
+            parts += [f"'disk {m}' != {w}" for m in range(1, n) for w in (peg, "{to}")]
+            cases.append(f"{{when = \"{' and '.join(parts)}\", set = {{'disk {n}' = '{{to}}'}}}}")
+        text += f"[[rule]]\noperation = 'Op_{n}{{to}}'\nfor = {{to = ['a', 'b', 'c']}}\n"
+        text += f"cases = [{', '.join(cases)}]\n"
+    return text
+
+
+@pytest.mark.parametrize("disks", range(1, 9))
+def test_hanoi_with_any_number_of_disks_is_that_of_brute_force(disks: int) -> None:
+    made = ruled_branch(read_rules(hanoi_rules(disks).encode(), "hanoi.toml"))
+    table = {name: row for name, row in made.values["SB1"].items() if name != "HEADER"}
+    assert table == brute_force.hanoi(disks)
+    assert (made.states, made.operations) == (3**disks, 3 * (3**disks - 1))
+    assert made.goal_reached
 
 
 def test_every_sample_reaches_its_goal_and_says_where_it_comes_from() -> None:
