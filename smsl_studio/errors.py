@@ -118,11 +118,14 @@ class FormulaError(StudioError):
     """The text of a condition cannot be read, or it names something that does not exist.
 
     ``at`` is the offset in the text, counted from 0. The sentence says the character, from 1.
+    ``instead`` is a wrong word and the right one, if they are known.
     """
 
-    def __init__(self, sentence: str, at: int, advice: str = "") -> None:
+    def __init__(
+        self, sentence: str, at: int, advice: str = "", *, instead: tuple[str, str] = ("", "")
+    ) -> None:
         super().__init__(f"character {at + 1:,}: {sentence}", advice=advice)
-        self.at = at
+        self.at, self.instead = at, instead
 
 
 class AddressError(StudioError):
@@ -202,6 +205,14 @@ def did_you_mean(name: str, known: Iterable[str]) -> str:
     """Return an advice with the most similar known name, or the empty text."""
     near = nearest(name, islice(known, _MANY))
     return f"Did you mean {near}?" if near else ""
+
+
+def instead_of(name: str, known: Iterable[str]) -> tuple[str, str]:
+    """Return a wrong name and the known one that was meant: the same in other capitals, or the most
+    similar one. The second is empty if there is none."""
+    names = list(islice(known, _MANY))
+    same = (one for one in names if one.casefold() == name.casefold())
+    return name, next(same, "") or nearest(name, names)
 
 
 def nearest(name: str, known: Iterable[str]) -> str:

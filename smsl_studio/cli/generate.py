@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import argparse
 from collections.abc import Sequence
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from smsl_studio.cli.arguments import ArgumentParser, add_format
@@ -124,9 +125,13 @@ def _explore(options: argparse.Namespace, out: Output) -> int:
     other = None if options.against is None else read_argument(options.against)
     limit = options.limit or LIMIT
     repeats, robot = options.repeats or 1, options.robot or ""
-    found = generate_explore(start, options.world, repeats=repeats, limit=limit, robot=robot)
+    part = Path(f"{options.output}.part")
+    found = generate_explore(
+        start, options.world, repeats=repeats, limit=limit, robot=robot, part=part
+    )
     made = found.generated
     _save(options, made, [*inputs_of(start), *(inputs_of(other) if other else ())])
+    part.unlink(missing_ok=True)
     if found.bound:
         note(f"there are more than {limit:,} states; what leads to them is left out")
     if other is not None:

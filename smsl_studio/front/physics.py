@@ -16,6 +16,7 @@ from smsl_studio.blueprint.reading import read_blueprint
 from smsl_studio.dispatch.dispatcher import Dispatcher
 from smsl_studio.dispatch.drive.terms import RunTerms
 from smsl_studio.errors import PlanningError, UsageError
+from smsl_studio.front.explored_part import ExploredPart, exploration_head
 from smsl_studio.front.generated import Generated
 from smsl_studio.front.hosts import known_world, make_host, with_robot
 from smsl_studio.front.request import RunRequest
@@ -62,13 +63,15 @@ def generate_explore(
     plugin_paths: Sequence[Path] = (),
     going: Callable[[int, int], None] | None = None,
     robot: str = "",
+    part: Path | None = None,
 ) -> Explored:
     """Return the blueprint of a world: all states that its operations reach, from a start on.
 
     ``start`` gives INITIAL, the facts with their values, and what binds them. An operation is an
     edge if its function returned in all ``repeats`` (with the seeds 0, 1, ...), the source was true
     before, and the same facts were read afterwards: known values that ``start`` has, and not those
-    of the source. ``going`` is told the numbers of states that are done and found.
+    of the source. ``going`` is told the numbers of states that are done and found. ``part`` is a
+    file that keeps what was tried: an exploration that was broken off goes on from there.
 
     UsageError for a world without operations of its own. PlanningError for several SBs. WorldError
     for a world that does not exist or does not suit.
@@ -93,7 +96,12 @@ def generate_explore(
     request = RunRequest(start, world, host="local", plugin_paths=paths, robot=robot)
     request = with_robot(request, loaded)
     attempts = _Attempts(request, loaded, names, repeats)
-    found = _explored(attempts, branch, limit, going)
+    head = exploration_head(request, names, repeats) if part is not None else ""
+    kept = ExploredPart(part, head)
+    try:
+        found = _explored(attempts, branch, limit, kept, going)
+    finally:
+        kept.close()
     return Explored(_generated(found, branch, start, world), found.bound)
 
 
@@ -184,6 +192,14 @@ class _Attempts:
         (self._branch,) = request.blueprint
         self._alphabet = [frozenset(own) for own in self._branch.alphabet]
 
+    def may_give(self, row: Mapping[str, Values]) -> bool:
+        """Return whether a row that was kept has only operations and values that there are."""
+        return set(row) <= set(self._names) and all(
+            len(target) == len(self._alphabet)
+            and all(value in own for value, own in zip(target, self._alphabet, strict=True))
+            for target in row.values()
+        )
+
     def row(self, values: Values) -> dict[str, Values]:
         """Return where each operation leads from some values."""
         blueprint = self._here(values)
@@ -255,6 +271,7 @@ def _explored(
     attempts: _Attempts,
     branch: StateBranch,
     limit: int,
+    kept: ExploredPart,
     going: Callable[[int, int], None] | None,
 ) -> _Finding:
     """Try all operations in all states that are found, breadth first."""
@@ -264,7 +281,11 @@ def _explored(
     done = 0
     while queue:
         values = queue.popleft()
-        for name, target in attempts.row(values).items():
+        row = kept.known.get(values)
+        if row is None or not attempts.may_give(row):
+            row = attempts.row(values)
+            kept.keep(values, row)
+        for name, target in row.items():
             if target not in found.rows:
                 if len(found.rows) >= limit:
                     found.bound = True

@@ -14,7 +14,7 @@ from smsl_studio.blueprint.properties.formula import (
     StateTerm,
 )
 from smsl_studio.blueprint.properties.formula_text import read_formula
-from smsl_studio.errors import FormulaError, did_you_mean
+from smsl_studio.errors import FormulaError, did_you_mean, instead_of
 from smsl_studio.generate.rule_counts import Count, without_counts
 
 Values = tuple[str, ...]
@@ -96,11 +96,15 @@ def _digit(name: str, facts: Alphabets, at: int) -> int:
     names = list(facts)
     if name not in facts:
         near = did_you_mean(name, names) or f"There are {', '.join(names)}."
-        raise FormulaError(f"there is no fact {name!r}", at, near)
+        instead = instead_of(name, names)
+        raise FormulaError(f"there is no fact {name!r}", at, near, instead=instead)
     return names.index(name)
 
 
 def _check_value(name: str, value: str, facts: Alphabets, at: int) -> None:
     if value not in facts[name]:
         known = ", ".join(facts[name])
-        raise FormulaError(f"the fact {name} has no value {value!r}", at, f"It has {known}.")
+        raise FormulaError(
+            f"the fact {name} has no value {value!r}", at, f"It has {known}.",
+            instead=instead_of(value, facts[name]),
+        )  # fmt: skip

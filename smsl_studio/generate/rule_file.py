@@ -13,8 +13,9 @@ from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from smsl_studio.errors import FormulaError, Place, ReadError, did_you_mean
+from smsl_studio.errors import FormulaError, Place, ReadError, did_you_mean, instead_of
 from smsl_studio.generate.rule_conditions import Alphabets, Condition, Values, condition
+from smsl_studio.generate.rule_fixes import word_fix
 from smsl_studio.stop import heed
 
 Json = Any
@@ -151,8 +152,9 @@ class _RuleFile:
         for (name, known), value in zip(facts.items(), values, strict=True):
             if value not in known:
                 raise self._fault(
-                    f"the fact {name} has no value {value!r}", what, f"It has {', '.join(known)}."
-                )
+                    f"the fact {name} has no value {value!r}", what, f"It has {', '.join(known)}.",
+                    instead_of(value, known),
+                )  # fmt: skip
         return values
 
     def _operations(self, facts: Alphabets) -> Iterator[RuleOperation]:
@@ -240,10 +242,15 @@ class _RuleFile:
             text = self._filled(self._text_of(value, key, place), given, place)
             if name not in facts:
                 near = did_you_mean(name, names) or f"There are {', '.join(names)}."
-                raise self._fault(f"there is no fact {name!r} to set", place, near)
+                raise self._fault(
+                    f"there is no fact {name!r} to set", place, near, instead_of(name, names)
+                )
             if text not in facts[name]:
                 known = f"It has {', '.join(facts[name])}."
-                raise self._fault(f"the fact {name} has no value {text!r}", place, known)
+                raise self._fault(
+                    f"the fact {name} has no value {text!r}", place, known,
+                    instead_of(text, facts[name]),
+                )  # fmt: skip
             digit = names.index(name)
             if digit in change:
                 raise self._fault(f"a case of the rule {pattern} sets {name} twice", place)
@@ -259,8 +266,9 @@ class _RuleFile:
             return condition(self._replaced(written, given, near), facts)
         except FormulaError as error:
             raise self._fault(
-                f"the condition {_short(written)}: {error.sentence}", near, error.advice
-            ) from None
+                f"the condition {_short(written)}: {error.sentence}", near, error.advice,
+                error.instead, 0 if "{" in written else error.at,
+            ) from None  # fmt: skip
 
     def _filled(self, text: str, given: Mapping[str, str], near: str) -> str:
         """Return a name with each ``{x}`` replaced. ReadError if a brace is left."""
@@ -301,13 +309,26 @@ class _RuleFile:
                 advice = (
                     did_you_mean(name, sorted(known)) or f"There is {', '.join(sorted(known))}."
                 )
-                raise self._fault(f"{what} has an unknown key {name!r}", name or near, advice)
+                raise self._fault(
+                    f"{what} has an unknown key {name!r}", name or near, advice,
+                    instead_of(name, sorted(known)),
+                )  # fmt: skip
 
-    def _fault(self, sentence: str, near: str, advice: str = "") -> ReadError:
-        """Return an error at the line of the first place that has a text."""
+    def _fault(
+        self,
+        sentence: str,
+        near: str,
+        advice: str = "",
+        instead: tuple[str, str] = ("", ""),
+        after: int = 0,
+    ) -> ReadError:
+        """Return an error at the line of the first place that has a text. ``instead`` is a wrong
+        word, which stands there ``after`` some characters, and the right one."""
         text: str = getattr(self, "_text", "")
-        line = text.count("\n", 0, max(0, text.find(near))) + 1
-        return ReadError(sentence, Place(self._file, line, 1), advice)
+        at = max(0, text.find(near))
+        line = text.count("\n", 0, at) + 1
+        fix = word_fix(text, at + after, *instead)
+        return ReadError(sentence, Place(self._file, line, 1), advice, fix=fix)
 
 
 _FACTS = 'Write facts = [{name = "disk 1", values = ["a", "b"]}].'

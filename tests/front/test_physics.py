@@ -121,6 +121,46 @@ def test_the_limit_keeps_what_was_reached(paths: tuple[Path, ...]) -> None:
     assert not told.generated.goal_reached
 
 
+def test_an_exploration_that_was_broken_off_goes_on(
+    paths: tuple[Path, ...], tmp_path: Path
+) -> None:
+    part = tmp_path / "found.json.part"
+    board = blueprint_of(BOARD)
+
+    class BrokenOffError(Exception):
+        pass
+
+    def until_two(done: int, _found: int) -> None:
+        if done == 2:
+            raise BrokenOffError
+
+    with pytest.raises(BrokenOffError):
+        generate_explore(board, "switches", plugin_paths=paths, part=part, going=until_two)
+    kept = part.read_bytes()
+    assert kept.count(b"\n") == 3
+    whole = table_of(generate_explore(board, "switches", plugin_paths=paths).generated.blueprint)
+    for cut in (0, 9):
+        part.write_bytes(kept[: len(kept) - cut])
+        told = generate_explore(board, "switches", plugin_paths=paths, part=part)
+        assert table_of(told.generated.blueprint) == whole
+        rows = [line for line in part.read_bytes().splitlines() if line.endswith(b"}}")]
+        assert len(rows) == len(whole), "no state was tried twice"
+    lying = kept.replace(b'"Op_11": ["1", "0"]', b'"Op_11": ["1", "1"]')
+    part.write_bytes(lying)
+    told = generate_explore(board, "switches", plugin_paths=paths, part=part)
+    assert table_of(told.generated.blueprint)["State_00"] == {"Op_11": "State_11"}, "it is read"
+    told = generate_explore(board, "switches", plugin_paths=paths, part=part, repeats=2)
+    assert table_of(told.generated.blueprint) == whole, "another exploration begins anew"
+    for other in (b'"Op_more": ["1", "0"]', b'"Op_11": ["q", "0"]', b'"Op_11": ["1"]'):
+        part.write_bytes(kept.replace(b'"Op_11": ["1", "0"]', other))
+        told = generate_explore(board, "switches", plugin_paths=paths, part=part)
+        assert table_of(told.generated.blueprint) == whole, "what cannot be is tried anew"
+    for odd in (b"", b"[]\n", b"\xff\n", b"[" * 9_000):
+        part.write_bytes(kept.splitlines()[0] + b"\n" + odd)
+        told = generate_explore(board, "switches", plugin_paths=paths, part=part)
+        assert table_of(told.generated.blueprint) == whole
+
+
 def test_operations_that_recover_are_not_tried(paths: tuple[Path, ...]) -> None:
     loaded = known_world("switches", paths)
     assert loaded is not None

@@ -8,6 +8,7 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QPlainTextEdit
 
+from smsl_studio.blueprint import editing
 from smsl_studio.blueprint.address import Address
 from smsl_studio.studio.features.rules import feature as rules_feature
 from smsl_studio.studio.features.rules.page import RulesPage
@@ -132,7 +133,7 @@ def test_differences_to_the_drawing_are_taken_refused_and_undone(at: AtRules) ->
     person.press(Key.Key_Delete)
     AtRules(person)
     person.until(lambda: len(at.differences()) == 1)
-    assert at.differences()[0].startswith(f"Missing: {states[0]}")
+    assert at.differences()[0].startswith(f"1 Missing: {states[0]}")
     assert side.take.text() == "Take"
     before = person.blueprint.document.text
     person.click(side.take)
@@ -154,7 +155,7 @@ def test_the_rules_of_a_drawing_are_learnt(sit: Sit) -> None:
     person.click(at.page.learning)
     person.until(lambda: "These rules make the drawing" in person.window.toast.words)
     at.until_followed()
-    kinds = {one.partition(":")[0] for one in at.differences()}
+    kinds = {one.partition(":")[0].split(maxsplit=1)[1] for one in at.differences()}
     assert kinds == {"Missing", "Odd"}, "the misprints of the paper"
     assert at.summed.startswith("27 states, 78 operations")
 
@@ -193,3 +194,92 @@ def test_the_text_has_the_keys_of_a_text(at: AtRules) -> None:
     assert at.page.text.toPlainText().startswith("f#")
     at.person.ctrl(Key.Key_Z)
     assert at.page.text.toPlainText().startswith("#")
+
+
+def test_what_a_change_takes_away_stays_as_a_ghost_until_the_next(at: AtRules) -> None:
+    whole = at.page.text.toPlainText()
+    first = whole.index("[[rule]]")
+    at.write(whole[:first] + whole[whole.index("[[rule]]", first + 1) :])
+    sheet = at.page.canvas.sheet
+    assert sheet is not None
+    signs = sheet.looks.marks.changes
+    assert set(signs.values()) == {"-"}
+    gone = [one for one in signs if not one.operation]
+    assert gone
+    assert len(sheet.picture.names) == 40
+    at.write(at.page.text.toPlainText() + "# more\n")
+    assert at.page.canvas.sheet is not None
+    assert len(at.page.canvas.sheet.picture.names) == 40 - len(gone)
+    at.write(whole)
+    assert at.page.canvas.sheet is not None
+    assert set(at.page.canvas.sheet.looks.marks.changes.values()) == {"+"}
+
+
+def test_words_are_offered_and_a_wrong_one_is_mended(at: AtRules) -> None:
+    text = at.page.text
+    text.moveCursor(text.textCursor().MoveOperation.End)
+    text.setFocus()
+    text.insertPlainText('[[rule]]\noperation = "call"\ncases = [{when = "')
+    at.person.type("wolf = ")
+    at.person.ctrl(Key.Key_Space)
+    assert text.words.words == ["0", "B", "1"]
+    at.person.press(Key.Key_Down)
+    at.person.press(Key.Key_Return)
+    at.person.type(" and gras")
+    at.person.ctrl(Key.Key_Space)
+    assert text.words.words == ["grass"]
+    at.person.press(Key.Key_Tab)
+    assert not text.words.isVisible()
+    at.person.type(' = b", set = {grass = "0"}}]')
+    at.until_followed()
+    (problem,) = at.problems()
+    assert "no value 'b'" in problem
+    assert at.page.fixing.text() == "Write “B”"
+    at.person.click(at.page.fixing)
+    at.until_followed()
+    assert at.problems() == []
+    assert 'when = "wolf = B and grass = B"' in text.toPlainText()
+    assert not at.page.fixing.isVisible()
+
+
+def test_the_save_key_on_the_page_is_about_the_rules(at: AtRules, tmp_path: Path) -> None:
+    at.write("# saved by a key\n")
+    for part in (at.page.text, at.page.side.list):
+        part.setFocus()
+        at.person.ctrl(Key.Key_S)
+    assert (tmp_path / "river.rules.toml").read_text("utf-8") == "# saved by a key\n"
+    assert at.person.window.files.path is None
+
+
+def test_suggestions_for_a_drawing_are_taken_one_by_one(sit: Sit) -> None:
+    person = sit(SAMPLES / "hanoi.json")
+    person.window.actions_table["complete_drawing"].trigger()
+    at = AtRules(person)
+    person.until(lambda: "4 suggestions" in person.window.toast.words)
+    at.until_followed()
+    person.until(lambda: len(at.differences()) == 4)
+    sheet = at.page.canvas.sheet
+    assert sheet is not None
+    assert sorted(sheet.looks.marks.conflicts.values()) == ["+1", "+2", "-3", "-4"]
+    before = person.blueprint.document.text
+    for left in (3, 2, 1, 0):
+        person.click(at.page.side.take)
+        person.until(lambda left=left: len(at.differences()) == left)
+    assert "78 operations the same" in at.page.side.why.text()
+    for _ in range(4):
+        person.window.session.history.undo()
+    assert person.blueprint.document.text == before
+
+
+def test_a_drawing_without_rules_is_refused_until_it_changes(sit: Sit) -> None:
+    person = sit(SAMPLES / "hfsm.json")
+    at = AtRules(person)
+    person.click(at.page.learning)
+    person.until(lambda: any("one State Branch" in one for one in at.problems()))
+    at.page.text.insertPlainText("# typed\n")
+    at.until_followed()
+    assert any("one State Branch" in one for one in at.problems())
+    session = person.window.session
+    name = session.branch
+    session.edit("Add a state", lambda blueprint: editing.add_state(blueprint, name, "State_more"))
+    person.until(lambda: not any("one State Branch" in one for one in at.problems()))

@@ -43,10 +43,11 @@ def draw_side(
 
 
 def draw_conflict(painter: QPainter, x: float, y: float, number: str, tokens: Tokens) -> None:
-    """Draw the disc of a conflict with its number; a tick if it is chosen."""
+    """Draw the disc of a conflict or a difference with its number; a tick if it is chosen."""
     painter.setPen(NO_PEN)
     chosen = number == CHOSEN
-    painter.setBrush(tokens.ok if chosen else tokens.bad)
+    painter.setBrush(conflict_colour(number, tokens))
+    number = number.lstrip(MISSING + ODD)
     half = max(8.0, 3.2 * len(number) + 4.0)
     painter.drawRoundedRect(QRectF(x - half, y - 8.0, 2 * half, 16.0), 8.0, 8.0)
     painter.setBrush(NO_BRUSH)
@@ -62,12 +63,18 @@ def draw_conflict(painter: QPainter, x: float, y: float, number: str, tokens: To
 
 
 def conflict_colour(number: str, tokens: Tokens) -> QColor:
-    """The colour of the ring of a conflict."""
+    """The colour of the ring of a conflict, and of the disc with a number."""
+    if number.startswith(MISSING):
+        return tokens.acc
     return tokens.ok if number == CHOSEN else tokens.bad
 
 
 CHOSEN = "\u2713"
 """Stands for the number of a conflict that is chosen."""
+
+
+MISSING, ODD = "+", "-"
+"""Stand before the number of an operation that the drawing lacks, or that no rule gives."""
 
 
 def change_colours(sign: str, tokens: Tokens) -> tuple[QColor, QColor]:

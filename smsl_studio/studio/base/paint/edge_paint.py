@@ -13,6 +13,8 @@ from PySide6.QtGui import QColor, QPainter, QPolygonF
 
 from smsl_studio.picture.shape import EdgeShape, Floats
 from smsl_studio.studio.base.paint.change_signs import (
+    MISSING,
+    ODD,
     change_colours,
     change_dashes,
     conflict_colour,
@@ -67,7 +69,8 @@ class EdgeLook:
     finding: str = ""
     change: str = ""
     conflict: str = ""
-    """The number of an open conflict of a merge, or ``CHOSEN``."""
+    """The number of an open conflict of a merge, or ``CHOSEN``; behind ``MISSING`` or ``ODD`` that
+    of a difference to rules."""
     """The sign of a comparison: ``+``, ``-`` or ``~``; empty without a comparison."""
     hovered: bool = False
     dimmed: bool = False
@@ -194,6 +197,9 @@ def _stroke(look: EdgeLook, ink: Ink, compact: bool) -> tuple[QColor, float, tup
     if look.change:
         wide = 3.0 if look.selected else 2.2
         return change_colours(look.change, tokens)[0], wide, change_dashes(look.change)
+    if look.conflict[:1] in (MISSING, ODD) and look.conflict:
+        dashes = (4.0, 4.0) if look.conflict.startswith(MISSING) else ()
+        return conflict_colour(look.conflict, tokens), 2.4, dashes
     if look.trail:
         return tokens.acc, 2.4, ()
     if look.pruned:

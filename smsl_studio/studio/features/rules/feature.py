@@ -39,6 +39,8 @@ class RulesFeature(Feature):
         return (
             Action("rules_page", "Rules", self.show, "Blueprint", "", (), section=4,
                    tip="Write rules, and see which states and operations they give"),
+            Action("complete_drawing", "Complete from examples", self.complete, "Blueprint", "", (),
+                   section=4, tip="Suggest what is missing or odd by the drawing's own rules"),
             Action("open_rules", "Open rules…", self.open, "File", "", (), section=1,
                    tip="Open a file of rules on the page Rules"),
         )  # fmt: skip
@@ -60,6 +62,11 @@ class RulesFeature(Feature):
         self._shell.set_mode(PAGE)
         if first:
             self._begin()
+
+    def complete(self) -> None:
+        """Show the page, and suggest what the drawing lacks by its own rules, and what is odd."""
+        self.show()
+        self._learn()
 
     def open(self) -> None:
         """Ask for a file of rules and open it."""
@@ -155,12 +162,14 @@ class RulesFeature(Feature):
         self._beside.do(tried, self._show_learnt)
 
     def _show_learnt(self, came: Learnt | StudioError) -> None:
+        page = self.part()
+        page.refuse(came if isinstance(came, StudioError) else None)
         if isinstance(came, StudioError):
             self._parts.toast.refuse(came)
             return
-        self.part().text.replace_all(came.text)
+        page.text.replace_all(came.text)
         odd = len(came.exceptions)
-        more = f" {counted(odd, 'operation')} do not fit: see the right side." if odd else ""
+        more = f" {counted(odd, 'suggestion')} at the right side." if odd else ""
         self._parts.toast.say(f"These rules make the drawing.{more} Ctrl+Z brings the text back.")
 
     def _write(self) -> None:

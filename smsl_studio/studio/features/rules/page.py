@@ -5,17 +5,22 @@ from __future__ import annotations
 
 from functools import partial
 
-from PySide6.QtCore import Qt, QTimer, Signal, SignalInstance
+from PySide6.QtCore import QEvent, Qt, QTimer, Signal, SignalInstance
+from PySide6.QtGui import QKeyEvent, QKeySequence
 from PySide6.QtWidgets import QPushButton, QVBoxLayout, QWidget
 
+from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.model import Blueprint, Table
-from smsl_studio.errors import StudioError
+from smsl_studio.errors import ReadError, StudioError, TextFix
 from smsl_studio.front.rule_differences import RuleDifference, taken
 from smsl_studio.front.rule_draft import MOST_SHOWN
+from smsl_studio.legible import one_line
+from smsl_studio.picture.marks import Marks
 from smsl_studio.studio.base.beside import Beside
 from smsl_studio.studio.base.canvas.canvas import Canvas
 from smsl_studio.studio.base.canvas.shared_collapse import SharedCollapse
 from smsl_studio.studio.base.controls import Elided, label
+from smsl_studio.studio.base.paint.change_signs import MISSING, ODD
 from smsl_studio.studio.base.panels import empty_panel
 from smsl_studio.studio.base.rows import ListRow, RowsView
 from smsl_studio.studio.base.theme import Tokens
@@ -25,11 +30,12 @@ from smsl_studio.studio.document.session import Session
 from smsl_studio.studio.features.rules.rule_answer import RuleAnswer, rule_answer
 from smsl_studio.studio.features.rules.rules_file import RulesFile
 from smsl_studio.studio.features.rules.rules_text import RulesText
-from smsl_studio.studio.features.rules.side import RulesSide
+from smsl_studio.studio.features.rules.side import MOST, RulesSide
 from smsl_studio.studio.running.frames import head, split
 
 PAUSE = 60
 """Milliseconds without a keystroke before the rules are followed."""
+_SAVE = QKeySequence.StandardKey.Save
 PROBLEMS = 102
 """The height of the problems (pixels)."""
 
@@ -47,6 +53,7 @@ class RulesPage(QWidget):
         self._session, self.file = session, file
         self.answer: RuleAnswer | None = None
         self._shown: Blueprint | None = None
+        self._refusal: StudioError | None = None
         self._beside = Beside(self)
         self._pause = QTimer(self)
         self._pause.setSingleShot(True)
@@ -65,17 +72,25 @@ class RulesPage(QWidget):
         self.opening = self._tool("Open…", "Open a file of rules", self.open_wanted)
         self.saving = self._tool("Save rules", "Save the rules into their file", self.save_wanted)
         self.learning = self._tool(
-            "Learn", "Write the rules that make the drawing (Ctrl+Z brings the text back)",
+            "Complete from examples", "Write the rules that most of the drawing follows, and "
+            "suggest what is missing or odd (Ctrl+Z brings the text back)",
             self.learn_wanted)  # fmt: skip
+        self.fixing = QPushButton()
+        self.fixing.setProperty("role", "primary")
+        self.fixing.setAutoDefault(False)
+        self.fixing.hide()
+        self.fixing.clicked.connect(self._fix)
         self._build()
         self.setAccessibleName("Rules")
         self.text.textChanged.connect(self._typed)
         self.text.cursorPositionChanged.connect(self._show_caret)
         self.problems.clicked.connect(self._go_to_problem)
         self.problems.activated.connect(self._go_to_problem)
+        self.problems.selectionModel().currentChanged.connect(lambda *_: self._show_fix())
         self.side.taken.connect(self._take)
+        self.side.shown.connect(self._mark)
         self.side.write_wanted.connect(self.write_wanted)
-        session.blueprint_changed.connect(lambda *_: self._pause.start())
+        session.blueprint_changed.connect(lambda *_: self._drawing_changed())
         session.opened.connect(self.side.refused.clear)
 
     def _tool(self, words: str, tip: str, wanted: SignalInstance) -> QPushButton:
@@ -89,7 +104,7 @@ class RulesPage(QWidget):
         left, column = empty_panel()
         column.addWidget(head("Rules", self._file, self.learning, self.opening, self.saving))
         column.addWidget(self.text, 1)
-        column.addWidget(head("Problems", None, self._caret))
+        column.addWidget(head("Problems", self._caret, None, self.fixing))
         column.addWidget(self.problems)
         middle, between = empty_panel()
         between.addWidget(head("Preview", self.sum))
@@ -125,29 +140,44 @@ class RulesPage(QWidget):
         self.keep()
         self._beside.drop()
         text = self.text.toPlainText()
-        work = partial(rule_answer, text, self.file.name, self._session.blueprint)
+        drawn = self._session.blueprint
+        work = partial(rule_answer, text, self.file.name, drawn, self.answer)
         self._beside.do(work, self._show)
 
     def _typed(self) -> None:
         self._pause.start()
 
     def _show(self, answer: RuleAnswer) -> None:
-        former, self.answer = self.answer, answer
+        self.answer = answer
         draft = answer.draft
         lines = {fault.place.line: fault.sentence for fault in draft.faults if fault.place}
         self.text.show_faults(lines)
-        self.problems.show_rows([_problem_row(fault) for fault in draft.faults])
+        self.text.words.facts = draft.rules.facts if draft.rules else self.text.words.facts
+        self._show_problems()
         self.sum.setText(_sum_words(answer, self._shown is not None))
-        if draft.blueprint is not None and draft.rules is not None:
-            branch = draft.rules.branch
+        if answer.preview is not None and draft.rules is not None:
+            branch, shown = draft.rules.branch, answer.preview.blueprint
             same = self._shown is not None and branch in self._shown.branches
-            self.change.setText(_change_words(former, answer))
-            if self._shown is None or self._shown != draft.blueprint:
-                self._shown = draft.blueprint
-                self.canvas.show_branch(draft.blueprint, branch, answer.places, keep_view=same)
+            self.change.setText(_change_words(answer))
+            if self._shown is None or self._shown != shown:
+                self._shown = shown
+                self.canvas.show_branch(shown, branch, answer.places, keep_view=same)
                 if same:
                     self.canvas.show_all()
         self.side.show_answer(answer)
+
+    def _mark(self) -> None:
+        """Mark what the last change did, and the differences with their numbers."""
+        preview = self.answer.preview if self.answer is not None else None
+        if preview is None:
+            return
+        numbers: dict[Address, str] = {}
+        for number, one in enumerate(self.side.open[:MOST], start=1):
+            if one in preview.drawn:
+                sign = MISSING if one.kind != "odd" else ODD
+                numbers.setdefault(preview.drawn[one], f"{sign}{number}")
+        changes = {at: sign for at, sign in preview.changes.items() if at not in numbers}
+        self.canvas.set_marks(Marks(changes=changes, conflicts=numbers))
 
     def _take(self, differences: tuple[RuleDifference, ...]) -> None:
         rules = self.answer.draft.rules if self.answer is not None else None
@@ -161,10 +191,59 @@ class RulesPage(QWidget):
         )
         self._session.edit(words, lambda blueprint: taken(blueprint, name, differences))
 
+    def refuse(self, error: StudioError | None) -> None:
+        """Show why no rules can be learnt, until the drawing changes."""
+        self._refusal = error
+        self._show_problems()
+
+    def _drawing_changed(self) -> None:
+        self._refusal = None
+        self._pause.start()
+
+    def _show_problems(self) -> None:
+        faults = self.answer.draft.faults if self.answer is not None else ()
+        refused = (self._refusal,) if self._refusal is not None else ()
+        self.problems.show_rows([_problem_row(fault) for fault in (*refused, *faults)])
+        if self.problems.rows.rows and not self.problems.currentIndex().isValid():
+            self.problems.setCurrentIndex(self.problems.rows.index(0))
+        self._show_fix()
+
+    def _show_fix(self) -> None:
+        fix = self._chosen_fix()
+        self.fixing.setVisible(fix is not None)
+        if fix is not None:
+            self.fixing.setText(one_line(fix.words))
+
+    def _chosen_fix(self) -> TextFix | None:
+        """The repair of the chosen problem, if the text is still the one that was read."""
+        fault = self.problems.current_payload if self.problems.rows.rows else None
+        followed = self.answer is not None and self.answer.text == self.text.toPlainText()
+        return fault.fix if isinstance(fault, ReadError) and followed else None
+
+    def _fix(self) -> None:
+        fix = self._chosen_fix()
+        if fix is not None:
+            self.text.repair(fix)
+
+    def event(self, event: QEvent) -> bool:
+        """Ctrl+S is about the rules while the keyboard is on this page."""
+        override = event.type() is QEvent.Type.ShortcutOverride
+        if override and isinstance(event, QKeyEvent) and event.matches(_SAVE):
+            event.accept()
+            return True
+        return super().event(event)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Save the rules with Ctrl+S."""
+        if event.matches(_SAVE):
+            self.save_wanted.emit()
+            return
+        super().keyPressEvent(event)
+
     def _go_to_problem(self) -> None:
-        line = self.problems.current_payload
-        if line:
-            self.text.go_to(line)
+        fault = self.problems.current_payload
+        if fault is not None and fault.place is not None:
+            self.text.go_to(fault.place.line)
 
     def _show_caret(self) -> None:
         line, column = self.text.caret
@@ -175,7 +254,7 @@ def _problem_row(fault: StudioError) -> ListRow:
     line = fault.place.line if fault.place is not None else 0
     where = f"Line {line}: " if line else ""
     words = f"{where}{fault.sentence}"
-    return ListRow(words, line, severity="E", tip=f"{where}{refusal_words(fault)}")
+    return ListRow(words, fault, severity="E", tip=f"{where}{refusal_words(fault)}")
 
 
 def _sum_words(answer: RuleAnswer, former: bool) -> str:
@@ -190,11 +269,10 @@ def _sum_words(answer: RuleAnswer, former: bool) -> str:
     return f"{states}, {operations}{left}{goal}"
 
 
-def _change_words(former: RuleAnswer | None, answer: RuleAnswer) -> str:
+def _change_words(answer: RuleAnswer) -> str:
     """What the last change of the text has brought and taken away."""
-    before = former.draft.branch if former is not None else None
-    after = answer.draft.branch
-    if former is None or before is None or after is None:
+    before, after = answer.before, answer.draft.branch
+    if before is None or after is None:
         return ""
     told = []
     for name, one, other in (

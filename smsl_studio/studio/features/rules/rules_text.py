@@ -4,15 +4,34 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from PySide6.QtCore import QRect, QRectF, QSize, Qt
-from PySide6.QtGui import QPainter, QPaintEvent, QResizeEvent, QTextCharFormat, QTextCursor
+from PySide6.QtCore import QEvent, QRect, QRectF, QSize, Qt
+from PySide6.QtGui import (
+    QFocusEvent,
+    QKeyEvent,
+    QPainter,
+    QPaintEvent,
+    QResizeEvent,
+    QTextCharFormat,
+    QTextCursor,
+)
 from PySide6.QtWidgets import QPlainTextEdit, QTextEdit, QWidget
 
+from smsl_studio.errors import TextFix
 from smsl_studio.studio.base.icons import SEVERITY_ICON, draw, severity_colour
 from smsl_studio.studio.base.theme import Tokens, mono_font
+from smsl_studio.studio.features.rules.word_list import WordList
 
 MARK, GAP = 18, 8
 """The width of a mark, and the room beside the numbers (pixels)."""
+
+
+_OF_LIST = (Qt.Key.Key_Escape, Qt.Key.Key_Tab, Qt.Key.Key_Return, Qt.Key.Key_Enter)
+_HELD = (Qt.Key.Key_Shift, Qt.Key.Key_Control, Qt.Key.Key_Alt, Qt.Key.Key_AltGr)
+
+
+def _asks(event: QKeyEvent) -> bool:
+    held = event.modifiers() == Qt.KeyboardModifier.ControlModifier
+    return event.key() == Qt.Key.Key_Space and held
 
 
 class RulesText(QPlainTextEdit):
@@ -31,7 +50,41 @@ class RulesText(QPlainTextEdit):
         self.blockCountChanged.connect(lambda _: self._make_room())
         self.updateRequest.connect(self._scrolled)
         self.cursorPositionChanged.connect(self._mark_lines)
+        self.words = WordList(self)
         self._make_room()
+
+    def event(self, event: QEvent) -> bool:
+        """Keep Ctrl+Space, and the keys of the open list, from the window."""
+        if event.type() is QEvent.Type.ShortcutOverride and isinstance(event, QKeyEvent):
+            listed = not self.words.isHidden() and event.key() in _OF_LIST
+            if listed or _asks(event):
+                event.accept()
+                return True
+        return super().event(event)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Offer what fits after Ctrl+Space, and narrow it with every key."""
+        if _asks(event):
+            self.words.ask()
+            return
+        if self.words.answer(event):
+            return
+        super().keyPressEvent(event)
+        if self.words.isHidden():
+            return
+        if event.text() and (event.text().isprintable() or event.key() == Qt.Key.Key_Backspace):
+            self.words.ask()
+        elif event.key() not in _HELD:
+            self.words.hide()
+
+    def focusNextPrevChild(self, forward: bool) -> bool:
+        """Keep the keyboard while Tab takes a word."""
+        return self.words.isHidden() and super().focusNextPrevChild(forward)
+
+    def focusOutEvent(self, event: QFocusEvent) -> None:
+        """Close the list."""
+        self.words.hide()
+        super().focusOutEvent(event)
 
     @property
     def caret(self) -> tuple[int, int]:
@@ -57,6 +110,17 @@ class RulesText(QPlainTextEdit):
         if block.isValid():
             self.setTextCursor(QTextCursor(block))
             self.centerCursor()
+        self.setFocus()
+
+    def repair(self, fix: TextFix) -> None:
+        """Apply a repair as one step that can be undone."""
+        cursor = QTextCursor(self.document())
+        # Qt counts letters outside the basic plane twice.
+        start, end = (_places(self.toPlainText()[:at]) for at in (fix.start, fix.end))
+        cursor.setPosition(start)
+        cursor.setPosition(end, QTextCursor.MoveMode.KeepAnchor)
+        cursor.insertText(fix.text)
+        self.setTextCursor(cursor)
         self.setFocus()
 
     def replace_all(self, text: str) -> None:
@@ -114,6 +178,10 @@ class RulesText(QPlainTextEdit):
         cursor = QTextCursor(self.document().findBlockByNumber(number))
         band.cursor = cursor
         return band
+
+
+def _places(text: str) -> int:
+    return len(text.encode("utf-16-le", "surrogatepass")) // 2
 
 
 class _Numbers(QWidget):

@@ -31,6 +31,8 @@ class RulesSide(QWidget):
 
     taken = Signal(object)
     """tuple[RuleDifference, ...]: let the drawing follow the rules in these."""
+    shown = Signal()
+    """The differences that are shown have changed."""
     write_wanted = Signal()
     """Write what the rules give as a new blueprint."""
 
@@ -94,7 +96,7 @@ class RulesSide(QWidget):
     def _show_differences(self) -> None:
         answer, found = self._answer, self.open
         at = self.list.currentIndex().row()
-        self.list.show_rows([_difference_row(one) for one in found[:MOST]])
+        self.list.show_rows([_difference_row(one, at) for at, one in enumerate(found[:MOST], 1)])
         if found and not self.list.currentIndex().isValid():
             self.list.setCurrentIndex(self.list.rows.index(min(max(at, 0), len(found[:MOST]) - 1)))
         compared = answer is not None and answer.comparison is not None
@@ -105,6 +107,7 @@ class RulesSide(QWidget):
         self.all.setText(f"Take all {min(len(found), MOST)}" if found else "Take all")
         self.all.setEnabled(bool(found))
         self._show_chosen()
+        self.shown.emit()
 
     def _show_chosen(self) -> None:
         chosen: RuleDifference | None = self.list.current_payload if self.open else None
@@ -163,7 +166,7 @@ def _fact_rows(draft: RuleDraft) -> list[ListRow]:
     return rows
 
 
-def _difference_row(one: RuleDifference) -> ListRow:
-    words = f"{KINDS[one.kind]}: {one.state}, {one.operation}"
+def _difference_row(one: RuleDifference, number: int) -> ListRow:
+    words = f"{number} {KINDS[one.kind]}: {one.state}, {one.operation}"
     return ListRow(words, one, right=one.target, severity="W" if one.kind == "odd" else "",
                    tip=f"{words} to {one.target}. {WHY[one.kind]}", mono=True)  # fmt: skip

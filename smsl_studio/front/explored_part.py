@@ -1,0 +1,90 @@
+"""What an exploration has tried so far, kept in a file beside its result.
+
+The first line says what is explored, each further line has the values of a state and where its
+operations lead. A file of another exploration is begun anew, and a line that was cut is left out.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Sequence
+from pathlib import Path
+from typing import IO, Any
+
+from smsl_studio.errors import SaveError
+from smsl_studio.front.request import RunRequest
+from smsl_studio.front.version import version
+from smsl_studio.front.world_codes import surveyed
+from smsl_studio.seal.digest import sha256_hex
+from smsl_studio.smsl.files import read_content
+from smsl_studio.smsl.json_form import write_json
+
+Json = Any
+Values = tuple[str, ...]
+Row = dict[str, Values]
+
+
+class ExploredPart:
+    """The rows that are known. ``path`` None keeps nothing."""
+
+    def __init__(self, path: Path | None, head: str) -> None:
+        self.known: dict[Values, Row] = {}
+        self._path, self._head = path, head
+        self._file: IO[str] | None = None
+        self._begun = path is not None and path.exists() and self._read(path)
+
+    def keep(self, values: Values, row: Row) -> None:
+        """Keep the row of a state. SaveError if that is not possible."""
+        self.known[values] = row
+        if self._path is None:
+            return
+        try:
+            if self._file is None:
+                self._file = self._path.open("a" if self._begun else "w", encoding="ascii")
+                # A line that was cut ends here.
+                self._file.write("\n" if self._begun else json.dumps({"head": self._head}) + "\n")
+            self._file.write(json.dumps({"state": values, "row": row}) + "\n")
+            self._file.flush()
+        except OSError as error:
+            words = error.strerror or str(error)
+            raise SaveError(f"{self._path} was not written: {words}") from None
+
+    def close(self) -> None:
+        """Close the file. What is kept stays there."""
+        if self._file is not None:
+            self._file.close()
+            self._file = None
+
+    def _read(self, path: Path) -> bool:
+        """Read the lines of an earlier exploration. Return whether it was the same one."""
+        first, *lines = map(_line, read_content(path).raw.splitlines() or [b""])
+        if first != {"head": self._head}:
+            return False
+        for line in lines:
+            values, row = line.get("state"), line.get("row")
+            if _texts(values) and isinstance(row, dict) and all(map(_texts, row.values())):
+                own = {name: tuple(target) for name, target in row.items()}
+                if all(len(target) == len(values) for target in own.values()):
+                    self.known[tuple(values)] = own
+        return True
+
+
+def exploration_head(request: RunRequest, names: Sequence[str], repeats: int) -> str:
+    """Return the digest of everything on which the rows of an exploration depend."""
+    survey = surveyed(request.blueprint, request.world, request.plugin_paths)
+    start = write_json({one.name: dict(one.fields) for one in request.blueprint})
+    facts = [[one.name, one.alphabet, one.num_facts] for one in request.blueprint]
+    parts = [version(), request.world, request.robot, survey.code, survey.bindings, names, repeats]
+    return sha256_hex(json.dumps([*parts, start, facts], default=str).encode())
+
+
+def _line(raw: bytes) -> dict[str, Json]:
+    try:
+        values = json.loads(raw)
+    except (ValueError, RecursionError):
+        return {}
+    return values if isinstance(values, dict) else {}
+
+
+def _texts(values: Json) -> bool:
+    return isinstance(values, list) and all(isinstance(one, str) for one in values)
