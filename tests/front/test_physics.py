@@ -151,14 +151,13 @@ def test_an_exploration_that_was_broken_off_goes_on(
     assert table_of(told.generated.blueprint)["State_00"] == {"Op_11": "State_11"}, "it is read"
     told = generate_explore(board, "switches", plugin_paths=paths, part=part, repeats=2)
     assert table_of(told.generated.blueprint) == whole, "another exploration begins anew"
-    for other in (b'"Op_more": ["1", "0"]', b'"Op_11": ["q", "0"]', b'"Op_11": ["1"]'):
+    for other in (b'"Op_more": ["1", "0"]', b'"Op_11": ["q", "0"]'):
         part.write_bytes(kept.replace(b'"Op_11": ["1", "0"]', other))
         told = generate_explore(board, "switches", plugin_paths=paths, part=part)
         assert table_of(told.generated.blueprint) == whole, "what cannot be is tried anew"
-    for odd in (b"", b"[]\n", b"\xff\n", b"[" * 9_000):
-        part.write_bytes(kept.splitlines()[0] + b"\n" + odd)
-        told = generate_explore(board, "switches", plugin_paths=paths, part=part)
-        assert table_of(told.generated.blueprint) == whole
+    part.write_bytes(kept.splitlines()[0] + b"\n\n[]\n\xff\n" + b"[" * 9_000)
+    told = generate_explore(board, "switches", plugin_paths=paths, part=part)
+    assert table_of(told.generated.blueprint) == whole
 
 
 def test_operations_that_recover_are_not_tried(paths: tuple[Path, ...]) -> None:
