@@ -9,7 +9,7 @@ from __future__ import annotations
 import json
 from collections.abc import Sequence
 from pathlib import Path
-from typing import IO, Any
+from typing import IO, Any, TypeGuard
 
 from smsl_studio.errors import SaveError
 from smsl_studio.front.request import RunRequest
@@ -61,7 +61,8 @@ class ExploredPart:
         if first != {"head": self._head}:
             return False
         for line in lines:
-            values, row = line.get("state"), line.get("row")
+            values: Json = line.get("state")
+            row = line.get("row")
             if _texts(values) and isinstance(row, dict) and all(map(_texts, row.values())):
                 own = {name: tuple(target) for name, target in row.items()}
                 if all(len(target) == len(values) for target in own.values()):
@@ -86,5 +87,5 @@ def _line(raw: bytes) -> dict[str, Json]:
     return values if isinstance(values, dict) else {}
 
 
-def _texts(values: Json) -> bool:
+def _texts(values: Json) -> TypeGuard[list[str]]:
     return isinstance(values, list) and all(isinstance(one, str) for one in values)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from pathlib import Path
 
 import pytest
@@ -48,6 +49,9 @@ class AtRules:
 
     def problems(self) -> list[str]:
         return [row.text for row in self.page.problems.rows.rows]
+
+    def has_differences(self, many: int) -> bool:
+        return len(self.differences()) == many
 
     def differences(self) -> list[str]:
         return [row.text for row in self.page.side.list.rows.rows]
@@ -264,7 +268,7 @@ def test_suggestions_for_a_drawing_are_taken_one_by_one(sit: Sit) -> None:
     before = person.blueprint.document.text
     for left in (3, 2, 1, 0):
         person.click(at.page.side.take)
-        person.until(lambda left=left: len(at.differences()) == left)
+        person.until(partial(at.has_differences, left))
     assert "78 operations the same" in at.page.side.why.text()
     for _ in range(4):
         person.window.session.history.undo()

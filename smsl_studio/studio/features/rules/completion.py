@@ -18,14 +18,14 @@ _RULE = ("cases", "for", "operation", "set", "when")
 _LOGIC = ("and", "count(", "not", "or")
 
 
-class Offer(NamedTuple):
+class FittingWord(NamedTuple):
     """A word that fits, and what it is."""
 
     word: str
     kind: str
 
 
-def offers(before: str, facts: Alphabets) -> tuple[str, list[Offer]]:
+def offers(before: str, facts: Alphabets) -> tuple[str, list[FittingWord]]:
     """Return the word that has been begun at the end of ``before``, the line up to the caret, and
     what may stand in its place."""
     line = before[-_LONGEST:]
@@ -35,7 +35,7 @@ def offers(before: str, facts: Alphabets) -> tuple[str, list[Offer]]:
     return begun, found
 
 
-def _all(rest: str, facts: Alphabets) -> list[Offer]:
+def _all(rest: str, facts: Alphabets) -> list[FittingWord]:
     names = list(facts)
     if ended := _ENDS.match(rest):
         digit = ended[1].count(",")
@@ -53,9 +53,9 @@ def _all(rest: str, facts: Alphabets) -> list[Offer]:
             return _values(names, facts)
     if not _quoted(rest):
         if not rest.strip():
-            return [*(Offer(one, "part of the file") for one in _TOP), *_words(_RULE)]
+            return [*(FittingWord(one, "part of the file") for one in _TOP), *_words(_RULE)]
         return [*_facts(names), *_words(_RULE)] if "{" in rest else []
-    return [*_facts(names), *(Offer(one, "word") for one in _LOGIC)]
+    return [*_facts(names), *(FittingWord(one, "word") for one in _LOGIC)]
 
 
 def _quoted(rest: str) -> bool:
@@ -69,18 +69,18 @@ def _quoted(rest: str) -> bool:
     return bool(sign)
 
 
-def _facts(names: Sequence[str]) -> list[Offer]:
-    return [Offer(name, f"fact {digit}") for digit, name in enumerate(names)]
+def _facts(names: Sequence[str]) -> list[FittingWord]:
+    return [FittingWord(name, f"digit {digit}") for digit, name in enumerate(names)]
 
 
-def _words(words: Sequence[str]) -> list[Offer]:
-    return [Offer(one, "part of a rule") for one in words]
+def _words(words: Sequence[str]) -> list[FittingWord]:
+    return [FittingWord(one, "part of a rule") for one in words]
 
 
-def _values(names: Sequence[str], facts: Alphabets) -> list[Offer]:
+def _values(names: Sequence[str], facts: Alphabets) -> list[FittingWord]:
     """Return the values of some facts, each with the facts that have it."""
     having: dict[str, list[str]] = {}
     for name in names:
         for value in facts[name]:
             having.setdefault(value, []).append(name)
-    return [Offer(value, f"value of {', '.join(own[:3])}") for value, own in having.items()]
+    return [FittingWord(value, f"value of {', '.join(own[:3])}") for value, own in having.items()]

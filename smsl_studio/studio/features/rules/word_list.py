@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QListWidget, QListWidgetItem, QPlainTextEdit
 from smsl_studio.generate.rule_conditions import Alphabets
 from smsl_studio.legible import one_line
 from smsl_studio.studio.base.controls import NameDelegate
-from smsl_studio.studio.features.rules.completion import Offer, offers
+from smsl_studio.studio.features.rules.completion import FittingWord, offers
 
 ROW, ROWS, WIDE, MOST = 22, 8, 260, 200
 
@@ -83,8 +83,8 @@ class WordList(QListWidget):
         cursor.insertText(self._offer(self.currentRow()).word)
         self.hide()
 
-    def _offer(self, at: int) -> Offer:
-        offer: Offer = self.item(at).data(Qt.ItemDataRole.UserRole)
+    def _offer(self, at: int) -> FittingWord:
+        offer: FittingWord = self.item(at).data(Qt.ItemDataRole.UserRole)
         return offer
 
     def _place(self) -> None:
