@@ -4,7 +4,7 @@ compared with what the blueprint declares. Nothing is recorded.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -25,6 +25,9 @@ from smsl_studio.stop import heed
 Json = Any
 Facts = dict[str, str | None]
 """Values of facts by ``SB/digit``, with digits from 0. None is an unknown fact."""
+Watch = Callable[[float, tuple[float, ...]], None]
+"""Gets the simulated seconds since an operation began and the poses of the world (see
+``Host.poses``), after each step of a forecast."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -74,7 +77,13 @@ def terms_of(start: Mapping[str, str], seed: int) -> RunTerms:
     )
 
 
-def carried(hierarchy: Hierarchy, host: Host, dispatcher: Dispatcher, edge: Address) -> Forecast:
+def carried(
+    hierarchy: Hierarchy,
+    host: Host,
+    dispatcher: Dispatcher,
+    edge: Address,
+    watch: Watch | None = None,
+) -> Forecast:
     """Carry one operation out from where the run of a simulated world is. Stopped if whoever waits
     for it wants to stop.
     """
@@ -87,10 +96,14 @@ def carried(hierarchy: Hierarchy, host: Host, dispatcher: Dispatcher, edge: Addr
     target = hierarchy.blueprint[edge.branch].table[edge.state][edge.operation]
     moved = step.after if isinstance(step, JointStep) else {edge.branch: target}
     dispatcher.ask(edge)
-    events = list(dispatcher.tick())
+    begun, events = dispatcher.time, list(dispatcher.tick())
     while dispatcher.phase == "running":
         heed()
+        if watch is not None:
+            watch(dispatcher.time - begun, host.poses())
         events += dispatcher.tick()
+    if watch is not None:
+        watch(dispatcher.time - begun, host.poses())
     done = any(isinstance(e, Committed) and str(edge) in e.operations for e in events)
     refused = next((e.reasons for e in events if isinstance(e, OperationRefused)), ())
     after = sensed_values(dispatcher.standing.scene)

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from smsl_studio.blueprint.configuration import Hierarchy
+from smsl_studio.blueprint.continuum import SHOW
 from smsl_studio.blueprint.levels import Levels
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.dispatch.dispatcher import Dispatcher
@@ -169,6 +170,9 @@ def open_request(
     supervisor = checked.supervisor
     if checked.agents and isinstance(supervisor, Agents):
         supervisor.open()
+        if supervisor.forecasts and not checked.forecast:
+            shown = replace(checked, forecast=SHOW)
+            terms = replace(terms, foresight=_foresight(shown, loaded, chosen))
     try:
         host = with_remote(checked, make_host(checked, loaded, spare))
     except BaseException:

@@ -20,7 +20,7 @@ from smsl_studio.blueprint.levels import Levels
 from smsl_studio.dispatch.dispatcher import Dispatcher
 from smsl_studio.dispatch.drive.foresight import ASKS, Foresight
 from smsl_studio.errors import HostError, StudioError, UsageError, WorldError, did_you_mean
-from smsl_studio.front.forecasts import Forecast, carried, terms_of
+from smsl_studio.front.forecasts import Forecast, Watch, carried, terms_of
 from smsl_studio.front.hosts import known_world, make_host
 from smsl_studio.front.request import RunRequest
 from smsl_studio.host.protocol import Host
@@ -54,12 +54,17 @@ class Twin:
         self._lost = 0
         self._why = ""
 
-    def predict(self, configuration: Mapping[str, str], edge: Address) -> Prediction:
-        """Carry out an operation from a configuration. A world that breaks gives no forecast."""
+    def predict(
+        self, configuration: Mapping[str, str], edge: Address, watch: Watch | None = None
+    ) -> Prediction:
+        """Carry out an operation from a configuration. A world that breaks gives no forecast.
+
+        ``watch`` gets the poses of the world on the way.
+        """
         if self._lost >= LIVES:
             return Prediction(NONE, reason=self._why)
         try:
-            return self._tried(configuration, edge)
+            return self._tried(configuration, edge, watch)
         except StudioError as error:
             self.close()
             self._lost, self._why = self._lost + 1, error.sentence
@@ -90,7 +95,9 @@ class Twin:
         if host is not None:
             host.close()
 
-    def _tried(self, configuration: Mapping[str, str], edge: Address) -> Prediction:
+    def _tried(
+        self, configuration: Mapping[str, str], edge: Address, watch: Watch | None
+    ) -> Prediction:
         self._there = None
         if self._host is None:
             self._refuse_what_is_real()
@@ -104,12 +111,14 @@ class Twin:
             _yield_to_others(self._host)
         if dispatcher.finished:
             return Prediction(NONE, reason=dispatcher.standing.sentence)
-        return self._carried(dispatcher, edge)
+        return self._carried(dispatcher, edge, watch)
 
-    def _carried(self, dispatcher: Dispatcher, edge: Address) -> Prediction:
+    def _carried(
+        self, dispatcher: Dispatcher, edge: Address, watch: Watch | None = None
+    ) -> Prediction:
         assert self._host is not None, "the world of the dispatcher is open"
         self._there = None
-        found = carried(self._hierarchy, self._host, dispatcher, edge)
+        found = carried(self._hierarchy, self._host, dispatcher, edge, watch)
         if dispatcher.finished:
             raise HostError(dispatcher.standing.sentence)
         if dispatcher.phase == "waiting":

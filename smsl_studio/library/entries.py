@@ -72,7 +72,8 @@ class CostEntry:
 @dataclass(frozen=True, slots=True)
 class SupervisorEntry:
     """An automatic supervisor. ``limit`` is the wall time (s) that an answer may take. ``prepare``
-    is called once with the options, before the run.
+    is called once with the options, before the run. ``forecasts`` says that it decides by
+    forecasts, so that a run with it makes them.
     """
 
     function: Callable[..., Any]
@@ -80,3 +81,4 @@ class SupervisorEntry:
     signature: Signature
     limit: float
     prepare: Callable[..., Any] | None = None
+    forecasts: bool = False

@@ -333,7 +333,12 @@ class OperationLibrary:
         return keep
 
     def supervisor(
-        self, name: str, limit: float = 0.5, *, prepare: Callable[..., Any] | None = None
+        self,
+        name: str,
+        limit: float = 0.5,
+        *,
+        prepare: Callable[..., Any] | None = None,
+        forecasts: bool = False,
     ) -> Callable[[FunctionT], FunctionT]:
         """Register an automatic supervisor. The decorated ``f(view, ...)`` gets a
         ``SupervisorView`` before each operation. It returns an answer of
@@ -342,7 +347,8 @@ class OperationLibrary:
         Further parameters are options of the user; ``prepare(**options)`` is called once before the
         run, for files that an option names. ``limit`` is the wall time (s) that one answer may
         take; a supervisor that takes longer is ended, and a person is asked. It runs in a process
-        of its own and gets no world.
+        of its own and gets no world. With ``forecasts`` a run with it tries each operation in a
+        second world first (level ``show``), and ``view.forecast`` has what came out.
         """
         name, limit = proper_name(name, "a supervisor"), seconds(limit, "limit")
         if not name.isidentifier() or name in self.supervisors:
@@ -351,7 +357,9 @@ class OperationLibrary:
         def keep(function: FunctionT) -> FunctionT:
             """Register the supervisor."""
             signature = signature_of(function, ("view",))
-            self.supervisors[name] = SupervisorEntry(function, name, signature, limit, prepare)
+            self.supervisors[name] = SupervisorEntry(
+                function, name, signature, limit, prepare, forecasts is True
+            )
             return function
 
         return keep

@@ -35,7 +35,7 @@ from smsl_studio.runlog.events import (
     RiskEstimated,
     TaskOpened,
 )
-from smsl_studio.runlog.regulation import COMPARISONS, FORECASTS
+from smsl_studio.runlog.regulation import AGREES, COMPARISONS, DIFFERS, FORECASTS, NONE
 from smsl_studio.shipped import samples_dir
 from tests.front.any_run import any_run
 from tests.plugin_folder import blueprint_of, write_plugin
@@ -236,6 +236,48 @@ def test_what_a_person_carries_out_has_no_forecast_and_does_not_hold(tmp_path: P
     assert (one.verdict, one.reason) == ("none", "a person carries it out")
     assert of(done, OperationStarted)
     assert not compared(done)
+
+
+def test_show_lets_everything_begin(odd: Callable[..., Run]) -> None:
+    """What differs, and what has no forecast because its world dies, begins all the same."""
+    for operation, verdict in (("Go", AGREES), ("Stray", DIFFERS), ("Die", NONE)):
+        shown, without = odd(operation, "show", host="process"), odd(operation, "", host="process")
+        assert [one.verdict for one in made(shown)][:1] == [verdict]
+        assert not of(shown, Commanded)
+        begun = [e.address for e in of(shown, OperationStarted)]
+        assert begun == [e.address for e in of(without, OperationStarted)]
+        assert begun[0] == f"SB/State_a/{operation}"
+        assert shown.reason == without.reason
+
+
+DECIDES = """
+def register(library):
+    @library.supervisor("seer", forecasts={forecasts})
+    def seer(view):
+        told = view.forecast
+        verdict = "nothing" if told is None else told.verdict
+        return ("veto" if verdict == "differs" else "approve"), f"it sees {{verdict}}"
+"""
+
+
+@pytest.mark.parametrize("forecasts", [True, False])
+def test_a_supervisor_of_a_plugin_that_needs_forecasts_gets_them(
+    odd: Callable[..., Run], tmp_path: Path, forecasts: bool
+) -> None:
+    """One that does not say so sees none, and the run makes none."""
+    write_plugin(tmp_path, "seer", DECIDES.format(forecasts=forecasts))
+    stray = {"SB": {**TABLE["SB"], "State_a": {"Stray": "State_b"}}}
+    done = front.run(
+        blueprint_of(stray),
+        "odd",
+        supervisor="seer",
+        on_mismatch="adopt",
+        plugin_paths=(tmp_path / "odd", tmp_path / "seer"),
+    )
+    assert [one.verdict for one in made(done)][:1] == (["differs"] if forecasts else [])
+    vetoes = [(one.command, one.reason) for one in of(done, Commanded)]
+    assert vetoes[:1] == ([("veto", "it sees differs")] if forecasts else [])
+    assert bool(of(done, OperationStarted)) is not forecasts
 
 
 def test_the_supervisor_forecast_vetoes_and_the_risk_counts_it(odd: Callable[..., Run]) -> None:

@@ -9,6 +9,7 @@ from PySide6.QtCore import Qt
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.front import hosts, twin
+from smsl_studio.front.forecasts import Watch
 from smsl_studio.front.request import RunRequest
 from smsl_studio.front.twin import Twin
 from smsl_studio.host.protocol import Host
@@ -58,7 +59,9 @@ def test_what_differs_and_what_has_no_forecast_is_said(
     told = Prediction(DIFFERS, {"SB1/1": "x"}, reason, apart=("SB1/1",))
     asked: list[str] = []
 
-    def predict(_twin: Twin, _configuration: Mapping[str, str], edge: Address) -> Prediction:
+    def predict(
+        _twin: Twin, _configuration: Mapping[str, str], edge: Address, _watch: Watch
+    ) -> Prediction:
         asked.append(edge.operation)
         return told
 

@@ -9,8 +9,8 @@ from PySide6.QtTest import QTest
 from smsl_studio import front
 from smsl_studio.front.views.fact_tiles import FactTile
 from smsl_studio.studio.base.theme import DARK, LIGHT
-from smsl_studio.studio.features.run.world_pane import WorldPane
 from smsl_studio.studio.running import operation_time
+from smsl_studio.studio.running.world_pane import WorldPane
 from tests.stories.at_run import AtRun
 from tests.stories.conftest import Sit
 from tests.stories.person import SAMPLES

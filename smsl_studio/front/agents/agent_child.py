@@ -14,7 +14,7 @@ from smsl_studio.front.agents.asked_agent import AskedAgent
 from smsl_studio.front.agents.shipped import shipped
 from smsl_studio.host.bounds import limit_process, settle_in
 from smsl_studio.host.brief import brief, words_for
-from smsl_studio.host.codec import number, one_of
+from smsl_studio.host.codec import flag, number, one_of
 from smsl_studio.host.compound import row, several
 from smsl_studio.host.confinement import confine
 from smsl_studio.host.vocabulary import name, sentence
@@ -24,8 +24,8 @@ from smsl_studio.library.entries import SupervisorEntry
 from smsl_studio.library.loading import discover
 from smsl_studio.library.supervisor_view import ANSWERS, ASK, SupervisorView
 
-READY = several(row(name(300), number(0.0, 1e9)), 100)
-"""The name of each supervisor and its time limit (s)."""
+READY = several(row(name(300), number(0.0, 1e9), flag()), 100)
+"""The name of each supervisor, its time limit (s), and whether it decides by forecasts."""
 ANSWER = row(one_of(ANSWERS), sentence(500))
 REFUSAL = sentence(2000)
 Agent = Callable[[SupervisorView], Any]
@@ -52,8 +52,8 @@ def main(pipe: int, beat: int) -> None:
                     continue
                 limit_process()
                 agents = [agent for _, agent in found]
-                limits = tuple((entry.name, entry.limit) for entry, _ in found)
-                wire.send("ok", READY.encode(limits))
+                ready = tuple((entry.name, entry.limit, entry.forecasts) for entry, _ in found)
+                wire.send("ok", READY.encode(ready))
             else:
                 number_, view = told
                 wire.send("ok", ANSWER.encode(answer_of(agents[number_], view)))

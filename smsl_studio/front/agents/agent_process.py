@@ -38,6 +38,8 @@ class AgentProcess:
         self._paths = tuple(map(str, plugin_paths))
         self._child: Child | None = None
         self._limits: tuple[float, ...] = ()
+        self.forecasts = False
+        """Whether one of them decides by forecasts; known when they are loaded."""
         self._ready = False
         self._lost = 0
         self._why = ""
@@ -55,7 +57,9 @@ class AgentProcess:
             kind, body = self._heard(child, START)
             if kind == "refused":
                 raise UsageError(REFUSAL.decode(body))
-            self._limits = tuple(limit for _, limit in READY.decode(body))
+            ready = READY.decode(body)
+            self._limits = tuple(limit for _, limit, _ in ready)
+            self.forecasts = any(wants for _, _, wants in ready)
             if len(self._limits) != len(self._asked):
                 raise NoAnswer("it names other supervisors")
             self._ready = True

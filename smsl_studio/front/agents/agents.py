@@ -48,6 +48,11 @@ class Agents:
         """They decide by the estimated risk, so it is told."""
         return True
 
+    @property
+    def forecasts(self) -> bool:
+        """Whether one of them decides by forecasts; known after ``open``."""
+        return self._process.forecasts
+
     def open(self) -> None:
         """Load the supervisors. UsageError if one does not exist, HostError if none can be
         loaded."""

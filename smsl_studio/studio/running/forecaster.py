@@ -17,6 +17,8 @@ from smsl_studio.front.views.forecast_words import Values
 from smsl_studio.library.loaded import Loaded
 from smsl_studio.library.prediction import AGREES, Prediction
 from smsl_studio.studio.base.beside import Beside
+from smsl_studio.studio.running.scene.ghost import EVERY
+from smsl_studio.studio.running.scene.kept_poses import KeptPoses
 from smsl_studio.world.engines import TABLE
 
 QUIET = 150
@@ -26,6 +28,9 @@ AHEAD = 3
 PARTS = 24
 """So many edges of the route are looked at for them: a step may have several."""
 
+RESTS = ("ready", "paused", "waiting", "no_route", "fault_hold")
+"""The run states in which an operation is proposed, and nothing is carried out."""
+
 
 @dataclass(frozen=True)
 class ForecastView:
@@ -33,13 +38,23 @@ class ForecastView:
 
     ``before`` has the sensed facts (``SB/digit``) at the moment when it was asked for. ``then`` are
     the operations that follow on the route, each from where the one before ends. It ends at the
-    first that differs or has no forecast.
+    first that differs or has no forecast. ``frames`` are the poses of the world on the way; None
+    until it is found.
     """
 
     edge: Address
     before: Values
     found: Prediction | None = None
     then: tuple[tuple[Address, Prediction], ...] = ()
+    frames: KeptPoses | None = None
+
+
+def proposed(status: DispatchStatus | None) -> Address | None:
+    """Return the operation that would begin next, while the run waits for somebody. None if there
+    is none."""
+    if status is None or status.phase not in RESTS or status.carrying is not None:
+        return None
+    return next(iter(status.route), None)
 
 
 class Forecaster(QObject):
@@ -129,11 +144,12 @@ class Forecaster(QObject):
         twin, wanted = self._twin, self._wanted
         if twin is not None and wanted is not None:
             self._left = [*self._route]
-            self._beside.do(lambda: twin.predict(*wanted), self._take)
+            frames = KeptPoses(EVERY)
+            self._beside.do(lambda: twin.predict(*wanted, frames.add), partial(self._take, frames))
 
-    def _take(self, found: Prediction) -> None:
+    def _take(self, frames: KeptPoses, found: Prediction) -> None:
         if self.view is not None:
-            self.view = replace(self.view, found=found, then=())
+            self.view = replace(self.view, found=found, then=(), frames=frames)
             self.changed.emit()
             self._go_on()
 

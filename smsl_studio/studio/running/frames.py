@@ -72,8 +72,10 @@ def tools_over(*tools: QWidget) -> QWidget:
     return made
 
 
-def laid_over(base: QWidget, left: QWidget, right: QWidget) -> QWidget:
-    """A picture with words at its top left and tools at its top right."""
+def laid_over(
+    base: QWidget, left: QWidget, right: QWidget, below: QWidget | None = None
+) -> QWidget:
+    """A picture with words at its top left and tools at its top right, and perhaps a bar below."""
     made = QWidget()
     grid = QGridLayout(made)
     grid.setContentsMargins(0, 0, 0, 0)
@@ -81,6 +83,12 @@ def laid_over(base: QWidget, left: QWidget, right: QWidget) -> QWidget:
     side = Qt.AlignmentFlag
     grid.addWidget(left, 0, 0, side.AlignTop | side.AlignLeft)
     grid.addWidget(right, 0, 0, side.AlignTop | side.AlignRight)
+    if below is not None:
+        frame = QWidget()
+        around = QHBoxLayout(frame)
+        around.setContentsMargins(12, 0, 12, 10)
+        around.addWidget(below)
+        grid.addWidget(frame, 0, 0, side.AlignBottom)
     return made
 
 

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import replace
+from functools import cached_property
 from pathlib import Path
 from typing import Any
 
@@ -33,6 +34,7 @@ from smsl_studio.runlog.decisions import DecidedBy, deciders, told_by
 from smsl_studio.runlog.events import Event
 from smsl_studio.runlog.history import Story
 from smsl_studio.runlog.playback import RunObserver
+from smsl_studio.studio.running.forecaster import Forecaster
 from smsl_studio.studio.running.operation_time import OperationTime, ShownTime
 from smsl_studio.studio.running.run_choice import RunChoice
 from smsl_studio.studio.running.run_opener import RunOpener
@@ -187,6 +189,13 @@ class RunSession(QObject, Commands):
     def asked(self) -> tuple[RunRequest, Loaded | None] | None:
         """The request of the run, and the plugins as they were found then; None without a run."""
         return (self._asked, self._loaded) if self._asked is not None and self._exists else None
+
+    @cached_property
+    def forecaster(self) -> Forecaster:
+        """What forecasts operations beside this run. Its world is kept as long as the run lives."""
+        made = Forecaster(self)
+        self.exists_changed.connect(lambda on: None if on else made.clear())
+        return made
 
     @property
     def deciders(self) -> tuple[DecidedBy, ...]:

@@ -33,7 +33,6 @@ from smsl_studio.studio.features.run.next_run import NextRun
 from smsl_studio.studio.features.run.possible_panel import PossiblePanel
 from smsl_studio.studio.features.run.refused_words import asked_words, begin_words
 from smsl_studio.studio.features.run.transport import Transport
-from smsl_studio.studio.features.run.world_pane import WorldPane
 from smsl_studio.studio.running import decisions
 from smsl_studio.studio.running.facts_table import FactsTable
 from smsl_studio.studio.running.frames import head, split, tool
@@ -43,6 +42,7 @@ from smsl_studio.studio.running.run_session import RunSession
 from smsl_studio.studio.running.state_check import StateCheckView
 from smsl_studio.studio.running.status_words import Words, status_words
 from smsl_studio.studio.running.timeline import Timeline
+from smsl_studio.studio.running.world_pane import WorldPane
 
 FRAME = 33
 """Milliseconds between two pictures of the world."""

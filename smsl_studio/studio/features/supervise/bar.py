@@ -4,15 +4,17 @@ from __future__ import annotations
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QResizeEvent
-from PySide6.QtWidgets import QHBoxLayout, QPushButton, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QPushButton, QToolButton, QWidget
 
 from smsl_studio.front.views.phase_words import phase_words
 from smsl_studio.legible import plain_text
 from smsl_studio.studio.base.controls import label, rule
+from smsl_studio.studio.base.icons import icon
 from smsl_studio.studio.base.key_button import command_button
 from smsl_studio.studio.base.precedence import Precedence
 from smsl_studio.studio.base.theme import CONTROL_DECISION, Tokens
 from smsl_studio.studio.base.tips import tip_text
+from smsl_studio.studio.running.frames import tool
 from smsl_studio.studio.running.phase_badge import PhaseBadge
 
 NARROW, BARE = 620, 400
@@ -38,6 +40,9 @@ class SuperviseBar(QWidget):
         self._goal, self._person = label("", "strong"), label("", "strong")
         self._said = [label("Goal", "small"), label("Supervisor", "small")]
         self.phase = PhaseBadge()
+        self.views = tool("", "eye", "What is shown: partial view, text, scene", tokens)
+        self.views.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
+        self.views.setFixedHeight(CONTROL_DECISION)
         self.step = command_button("step", "", tokens)
         self.step.setToolTip("One operation, then pause (F10)")
         self.step.clicked.connect(self.step_wanted)
@@ -63,6 +68,7 @@ class SuperviseBar(QWidget):
         across.addWidget(self._said[1])
         across.addWidget(self._person)
         across.addStretch(1)
+        across.addWidget(self.views)
         across.addWidget(self.phase)
         for button in (self.reset, self.end):
             button.setFixedHeight(CONTROL_DECISION)
@@ -73,7 +79,7 @@ class SuperviseBar(QWidget):
         across.addWidget(line)
         across.addWidget(self.stop)
         self._precedence = Precedence(
-            self, self._said[1], self._person, self._said[0], self._goal, line,
+            self, self._said[1], self._person, self._said[0], self._goal, line, self.views,
             self.step, self.end, self.phase, self.play, self.reset, gaps=4,
         )  # fmt: skip
         self.show_run("", exists=False, over=False, tip="", goal="", person="")
@@ -119,6 +125,7 @@ class SuperviseBar(QWidget):
     def set_tokens(self, tokens: Tokens) -> None:
         """Use the colours of another theme."""
         self._tokens = tokens
+        self.views.setIcon(icon("eye", tokens))
         for button in (self.step, self.play, self.stop):
             button.set_tokens(tokens)
 

@@ -235,7 +235,11 @@ class CardButton(QAbstractButton):
         word = self.card.risk or "not rated"
         plain.draw_from(painter, left + 33, y, word, ink if self.card.risk else t.tx3)
         left += 33 + max(plain.width(word), plain.width("medium")) + 8
+        end = self._verdict(painter, box, y)
         cost = f"cost {self.card.cost}" if self.card.cost else ""
+        if left + plain.width(cost) + 24 > end:
+            # A narrow card with a forecast has no room for it; the tip says it.
+            cost = ""
         plain.draw_from(painter, left, y, cost, t.tx2)
         left += max(plain.width(cost), plain.width("cost 0.0")) + 8 if cost else 0
         icon = ACTOR_ICON.get(self.card.actor, "robot")
@@ -246,7 +250,6 @@ class CardButton(QAbstractButton):
         if self.card.standing == REFUSED and own and box.right() - 6 - left >= ROOM:
             words = reason
         ink = {"unknown": t.unk, "missing": t.risk}.get(self.card.unmet, t.tx2)
-        end = self._verdict(painter, box, y)
         if self._forecast is not None and self._forecast.words:
             # The strip below has all of it, so a part of a sentence helps nobody here.
             whole = plain_text(self._forecast.words)
@@ -297,6 +300,7 @@ def _tip(card: OperationCard) -> str:
         words = {"rise": "turns a sub-SB's fact on", "fall": "turns a sub-SB's fact off",
                  "mixed": "changes a sub-SB's fact with others"}  # fmt: skip
         lines.append(words[card.mark])
+    lines += [f"Cost {card.cost}"] if card.cost else []
     lines += [f"Needs {card.needs}"] if card.needs != "Nothing" else []
     lines += card.reasons
     if card.number <= NUMBERED:

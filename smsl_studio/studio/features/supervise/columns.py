@@ -15,6 +15,10 @@ NODE = 90.0
 DESIGNED = 1045.0
 NARROWEST = 724
 """The smallest width of all columns (pixels); a narrower view scrolls."""
+STACKED = 420
+"""The same where the previous state stands above the active one."""
+TALL = 230
+"""The smallest height (pixels) in which two states stand above each other."""
 
 
 @dataclass(frozen=True)
@@ -25,6 +29,8 @@ class Columns:
     current: tuple[float, float]
     cards: tuple[float, float]
     neighbours: tuple[float, float]
+    stacked: bool = False
+    """Whether the previous state stands above the active one, in the same column."""
 
 
 def columns(width: float, wanted: tuple[float, float, float]) -> Columns:
@@ -51,4 +57,24 @@ def columns(width: float, wanted: tuple[float, float, float]) -> Columns:
         current=(x, here),
         cards=(cards, card),
         neighbours=(cards + card + third, after),
+    )
+
+
+def stacked_columns(width: float, wanted: tuple[float, float, float]) -> Columns:
+    """Distribute the columns like ``columns``, with the previous state above the active one."""
+    width = max(width, STACKED)
+    before, here, after = (min(max(one, NODE), 120.0) for one in wanted)
+    states, first, second, least = max(before, here), 26.0, 20.0, 178.0
+    shrink = min(1.0, (width - 16 - first - second - least) / (states + after))
+    states, after = states * shrink, after * shrink
+    spare = width - 16 - states - after - first - second
+    card = min(max(spare, least), CARD[1])
+    gap = max(spare - card, 0.0) / 2
+    cards = 8 + states + first + gap
+    return Columns(
+        previous=(8.0, states),
+        current=(8.0, states),
+        cards=(cards, card),
+        neighbours=(cards + card + second + gap, after),
+        stacked=True,
     )

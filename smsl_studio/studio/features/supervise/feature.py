@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 from typing import TYPE_CHECKING
 
 from smsl_studio.studio.base.actions import Action
@@ -15,6 +16,9 @@ from smsl_studio.studio.running.window_parts import WindowParts
 if TYPE_CHECKING:
     from smsl_studio.studio.features.supervise.pane import SupervisePane
     from smsl_studio.studio.running.run_session import RunSession
+
+PARTS = "supervise_parts"
+"""The name under which the parts of Supervise that are shown are stored."""
 
 
 class SuperviseFeature(Feature):
@@ -43,6 +47,9 @@ class SuperviseFeature(Feature):
 
         pane = SupervisePane(self._parts.session, self._run(), self._tokens, self._parts.window)
         pane.hide()
+        settings = self._parts.settings
+        pane.seen.restore(settings.text_of(PARTS))
+        pane.seen.remember = partial(settings.store_text, PARTS)
         pane.full_map.canvas.collapse.join(self._parts.collapse)
         return pane
 

@@ -165,9 +165,11 @@ class PartialHead(QWidget):
             painter.setPen(self._tokens.tx2)
             long = "Operations from here: risk, cost, who acts, needs"
             cards = long if kind.width(long) < found.cards[1] + 60 else "Operations from here"
+            before = "Previous" if self._previous else ""
+            both = f"{before}, current" if before else "Current"
             for (x, wide), words in (
-                (found.previous, "Previous" if self._previous else ""),
-                (found.current, "Current"),
+                (found.previous, "" if found.stacked else before),
+                (found.current, both if found.stacked else "Current"),
                 (found.cards, cards),
                 (found.neighbours, "Neighbours"),
             ):

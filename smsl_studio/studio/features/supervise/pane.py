@@ -29,13 +29,15 @@ from smsl_studio.studio.features.supervise.forecast_strip import ForecastStrip
 from smsl_studio.studio.features.supervise.head import HIGH, LOW, PartialHead
 from smsl_studio.studio.features.supervise.notice import Notice
 from smsl_studio.studio.features.supervise.right_column import RightColumn
+from smsl_studio.studio.features.supervise.seen_parts import SeenParts
 from smsl_studio.studio.features.supervise.splits import Rolled, column_of, split_of
 from smsl_studio.studio.features.supervise.step_in import StepIn
+from smsl_studio.studio.features.supervise.text_panel import TextPanel
 from smsl_studio.studio.running import decisions
-from smsl_studio.studio.running.forecaster import Forecaster
 from smsl_studio.studio.running.hold_card import HoldCard
 from smsl_studio.studio.running.run_canvas import RunCanvas
 from smsl_studio.studio.running.run_session import ENDABLE, RunSession
+from smsl_studio.studio.running.world_pane import WorldPane
 
 RIGHT = 396
 NARROW, LOW_PAGE, TWO = 900, 420, 640
@@ -77,10 +79,11 @@ class SupervisePane(QWidget):
         self.full_map = RunCanvas(session, run, tokens)
         self.notice = Notice()
         self.check, self.forecast = CheckPanel(tokens), ForecastStrip(tokens)
-        self.forecaster = Forecaster(self)
+        self.forecaster = run.forecaster
+        self.text, self.scene = TextPanel(tokens), WorldPane(run, tokens, watches=True)
         self.hold, self.step_in = HoldCard(), StepIn(tokens)
         self._wearing = (self.bar, self.head, self.board, self.full_map, self.check, self.step_in,
-                         self.forecast)  # fmt: skip
+                         self.forecast, self.text, self.scene)  # fmt: skip
         self.deciding = DecisionFlow(run, self.step_in, self)
         self._build()
         self._connect()
@@ -202,7 +205,10 @@ class SupervisePane(QWidget):
         self.pages = QStackedWidget()
         for page in (self.board, self.full_map, self.notice):
             self.pages.addWidget(page)
-        top = column_of(self.head, self.pages, self.forecast)
+        graph = column_of(self.head, self.pages)
+        self.seen = SeenParts(self._run, graph, self.text, self.scene)
+        self.bar.views.setMenu(self.seen.menu)
+        top = column_of(None, self.seen, self.forecast)
         self.level_slot = QVBoxLayout()
         self.level_slot.setContentsMargins(0, 0, 0, 0)
         level = QWidget()
@@ -233,11 +239,12 @@ class SupervisePane(QWidget):
     def _connect(self) -> None:
         run, bar = self._run, self.bar
         run.changed.connect(self.refresh)
-        # Its world is kept while the run lives, also where nobody sees the page.
-        run.exists_changed.connect(lambda on: None if on else self.forecaster.clear())
         self._session.blueprint_changed.connect(lambda *_: self.refresh())
         run.refused.connect(lambda error: self.notice.say(refusal_words(error)))
         self.board.card_chosen.connect(self.pick)
+        self.text.chosen.connect(self.pick)
+        for turned in (self.text.turned, self.seen.turned):
+            turned.connect(self.refresh)
         self.board.columns_moved.connect(lambda _: self._place_heads())
         self.full_map.chosen.connect(self.pick)
         self.head.branch_wanted.connect(self.show_branch)
@@ -292,6 +299,7 @@ class SupervisePane(QWidget):
         self.hold.show_status(status, run.exists)
         self.step_in.show_status(blueprint, status, run.exists, self.subject)
         self.forecaster.follow(run.asked, status, self.subject)
+        self.seen.refresh()
         self._show_forecast()
 
     def _show_forecast(self) -> None:
@@ -301,6 +309,7 @@ class SupervisePane(QWidget):
         view = self.forecaster.view
         self.forecast.show_forecast(run.blueprint, view, now, at_work)
         self.board.show_forecast(self.forecast.card_words(run.blueprint))
+        self.text.show_state(run.blueprint, self._view, self.subject, at_work)
 
     def _place_heads(self) -> None:
         shown = self.pages.currentWidget() is self.board

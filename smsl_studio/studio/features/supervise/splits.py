@@ -27,14 +27,16 @@ class Rolled(QScrollArea):
         return QSize(300, 160)
 
 
-def column_of(*parts: QWidget) -> QWidget:
-    """Return a widget with these parts below each other; the second one gets all free room."""
+def column_of(*parts: QWidget | None) -> QWidget:
+    """Return a widget with these parts below each other; the second one gets all free room, and
+    None is left out."""
     made = QWidget()
     column = QVBoxLayout(made)
     column.setContentsMargins(0, 0, 0, 0)
     column.setSpacing(0)
     for at, part in enumerate(parts):
-        column.addWidget(part, int(at == 1))
+        if part is not None:
+            column.addWidget(part, int(at == 1))
     return made
 
 

@@ -19,13 +19,22 @@ from smsl_studio.studio.base.paint.node_paint import NodeLook, full_width
 from smsl_studio.studio.base.theme import Tokens, text_font
 from smsl_studio.studio.base.tips import tip_text
 from smsl_studio.studio.features.supervise.card import HEIGHT, INSET, CardButton, CardForecast
-from smsl_studio.studio.features.supervise.columns import NARROWEST, Columns, columns
+from smsl_studio.studio.features.supervise.columns import (
+    NARROWEST,
+    STACKED,
+    TALL,
+    Columns,
+    columns,
+    stacked_columns,
+)
 from smsl_studio.studio.features.supervise.legend import PartialLegend
 from smsl_studio.studio.features.supervise.spot import StateSpot
-from smsl_studio.studio.features.supervise.wires import LIT, draw_way, draw_wire, fan
+from smsl_studio.studio.features.supervise.wires import LIT, draw_way, draw_way_down, draw_wire, fan
 
 PITCH = 64
 TOP, BOTTOM = 8, 12
+APART = 96.0
+"""How far the previous state stands above the active one (pixels)."""
 DOTS = 16
 
 
@@ -100,8 +109,15 @@ class PartialSurface(QWidget):
     def set_window(self, window: QRect) -> None:
         """Set the visible part (pixels), in whose middle the states stay."""
         if window != self._window:
-            self._window = window
+            before, self._window = self._stacks, window
             self._arrange()
+            if self._stacks != before:
+                self.updateGeometry()
+
+    @property
+    def _stacks(self) -> bool:
+        """Whether the previous state stands above the active one: the view is narrow and tall."""
+        return self._window.width() < NARROWEST and self._window.height() >= TALL
 
     def shown_spots(self) -> list[StateSpot]:
         """The visible states."""
@@ -115,7 +131,7 @@ class PartialSurface(QWidget):
 
     def minimumSizeHint(self) -> QSize:
         """High enough for all cards, with the smallest width of the columns."""
-        return QSize(NARROWEST, self.sizeHint().height())
+        return QSize(STACKED if self._stacks else NARROWEST, self.sizeHint().height())
 
     # Filling.
 
@@ -162,7 +178,8 @@ class PartialSurface(QWidget):
         wide = {name: full_width(face, self._ink) for name, face in faces.items()}
         before = wide[view.via.state] if view.via else 108.0
         after = max((wide[name] for name in view.neighbours), default=108.0)
-        self.columns = columns(self.width(), (before, wide[view.state], after))
+        place = stacked_columns if self._stacks else columns
+        self.columns = place(self.width(), (before, wide[view.state], after))
         self._place_cards(view)
         self._place_states(view, faces)
         self._place_neighbours(view, faces)
@@ -205,20 +222,30 @@ class PartialSurface(QWidget):
         face = faces[view.via.state]
         look, words = NodeLook(visited=True), ("", face.title)
         self._previous.show_state(branch, face, look, "previous", most, words)
+        if self.columns.stacked:
+            self._previous.place(QPointF(x + most / 2, middle - APART))
+            self._show_via(view, most - 8)
+            self._via.move(round(x + (most - self._via.width()) / 2), round(middle - APART / 2 - 9))
+            return
         self._previous.place(QPointF(x + most / 2, middle))
         left, right = self._way()
-        kind = Type(text_font(11, 500))
-        room = right - left - 12 - (14 if view.via_mark else 0)
-        shown = kind.elided(view.via.operation, room)
-        self._via.setFont(kind.font)
-        self._via.setText(shown)
-        self._via.setStyleSheet(f"color: {self._tokens.acc.name()}; background: transparent")
-        self._via.setToolTip(tip_text(str(view.via)))
-        self._via.setAccessibleName(plain_text(f"came by {view.via.operation}"))
-        self._via.adjustSize()
+        self._show_via(view, right - left - 12)
         shift = 14 if view.via_mark else 0
         at = (left + right - 8 - self._via.width() - shift) / 2 + shift
         self._via.move(round(at), round(middle - 24))
+
+    def _show_via(self, view: PartialView, room: float) -> None:
+        """Show the operation by which the run came, at most so wide (pixels)."""
+        assert view.via is not None
+        kind = Type(text_font(11, 500))
+        shown = kind.elided(view.via.operation, room - (14 if view.via_mark else 0))
+        self._via.setFont(kind.font)
+        self._via.setText(shown)
+        paper = self._tokens.canvas.name() if self._stacks else "transparent"
+        self._via.setStyleSheet(f"color: {self._tokens.acc.name()}; background: {paper}")
+        self._via.setToolTip(tip_text(str(view.via)))
+        self._via.setAccessibleName(plain_text(f"came by {view.via.operation}"))
+        self._via.adjustSize()
 
     def _place_neighbours(self, view: PartialView, faces: dict[str, Face]) -> None:
         assert self.columns is not None
@@ -269,7 +296,9 @@ class PartialSurface(QWidget):
         self._legend.lower()
 
     def _middle(self) -> float:
-        return self._window.y() + self._window.height() // 2
+        middle = self._window.y() + self._window.height() // 2
+        above = self._stacks and self.view is not None and self.view.via is not None
+        return max(middle, self._window.y() + APART + 35) if above else middle
 
     def _way(self) -> tuple[float, float]:
         """The left and the right end of the line from the previous to the active state (pixels)."""
@@ -296,9 +325,13 @@ class PartialSurface(QWidget):
         assert self.view is not None
         if self.view.via is None:
             return
-        left, right = self._way()
         middle = self._middle()
-        draw_way(painter, QPointF(left, middle), QPointF(right, middle), self._tokens)
+        if self.columns is not None and self.columns.stacked:
+            x = self.columns.current[0] + self.columns.current[1] / 2
+            draw_way_down(painter, x, middle - APART + 29, middle - 33, self._tokens)
+        else:
+            left, right = self._way()
+            draw_way(painter, QPointF(left, middle), QPointF(right, middle), self._tokens)
         if self.view.via_mark:
             at = self._via.geometry()
             draw_sub_mark(painter, at.left() - 9, at.center().y(), self.view.via_mark,

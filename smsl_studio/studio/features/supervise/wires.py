@@ -81,6 +81,15 @@ def draw_way(painter: QPainter, start: QPointF, end: QPointF, tokens: Tokens) ->
     draw_head(painter, end, tokens.acc)
 
 
+def draw_way_down(painter: QPainter, x: float, top: float, end: float, tokens: Tokens) -> None:
+    """Draw the same line downwards."""
+    painter.save()
+    painter.translate(x, top)
+    painter.rotate(90)
+    draw_way(painter, QPointF(0, 0), QPointF(end - top, 0), tokens)
+    painter.restore()
+
+
 def fan(count: int) -> list[float]:
     """The vertical offsets from the middle at which so many wires leave the state (pixels)."""
     apart = min(FAN, 36.0 / max(count, 1))

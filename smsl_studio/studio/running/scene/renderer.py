@@ -7,6 +7,7 @@ Each shape has one buffer, sent once. A frame sends one matrix for each shape. W
 from __future__ import annotations
 
 from collections.abc import Sequence
+from collections.abc import Set as AbstractSet
 from dataclasses import dataclass
 from typing import Any
 
@@ -36,7 +37,7 @@ void main() {
 """
 _FRAGMENT = """
 #version 330
-uniform vec3 colour; uniform vec3 eye; uniform float dark;
+uniform vec3 colour; uniform vec3 eye; uniform float dark; uniform float alpha;
 in vec3 n; in vec3 p; out vec4 f;
 void main() {
     vec3 N = normalize(n), V = normalize(eye - p), L = normalize(vec3(0.45, 0.35, 1.0));
@@ -45,7 +46,8 @@ void main() {
     float sun = max(dot(N, L), 0.0);
     float shine = pow(max(dot(N, normalize(L + V)), 0.0), 40.0) * 0.22;
     vec3 ambient = mix(vec3(0.62, 0.63, 0.66), vec3(0.30, 0.32, 0.36), dark);
-    f = vec4(colour * (ambient * (0.55 + 0.55 * sky) + sun * mix(0.52, 0.58, dark)) + shine, 1.0);
+    vec3 lit = colour * (ambient * (0.55 + 0.55 * sky) + sun * mix(0.52, 0.58, dark)) + shine;
+    f = vec4(lit * alpha, alpha);
 }
 """
 _GROUND_VERTEX = """
@@ -78,17 +80,37 @@ void main() {
 """
 
 
+CLEAR = 0.58
+"""How much of what is behind a ghost it covers, from 0 to 1."""
+MOVED = 1e-3
+"""A shape has a ghost if a part of its pose differs by more than this (m, or of a quaternion)."""
+
+
+@dataclass(frozen=True)
+class GhostPoses:
+    """Poses of the same shapes at another time, drawn as a ghost in one ``colour`` (0 to 1 each).
+
+    Only shapes that stand elsewhere have a ghost. If it is ``alone`` they are not drawn where they
+    are now.
+    """
+
+    poses: Sequence[float]
+    colour: tuple[float, float, float]
+    alone: bool = False
+
+
 @dataclass(frozen=True)
 class RenderStyle:
     """Size in physical pixels, theme, and whether edges are antialiased (``fine``).
 
-    Antialiasing makes software rendering three times as slow.
+    Antialiasing makes software rendering three times as slow. A ``ghost`` is drawn over the rest.
     """
 
     width: int
     height: int
     dark: bool
     fine: bool = True
+    ghost: GhostPoses | None = None
 
 
 class _Program:
@@ -156,8 +178,13 @@ class Renderer:
         target.clear(0.0, 0.0, 0.0, 0.0)
         gl.enable(moderngl.DEPTH_TEST)
         view = camera.view_projection(width / height).T.tobytes()
-        self._draw_ground(poses, view, look.dark)
-        self._draw_solids(poses, view, camera, look.dark)
+        ghost = look.ghost
+        elsewhere = moved_shapes(poses, ghost.poses) if ghost is not None else frozenset()
+        gone = elsewhere if ghost is not None and ghost.alone else frozenset()
+        self._draw_ground(poses, view, look.dark, gone)
+        self._draw_solids(poses, view, camera, look.dark, gone)
+        if ghost is not None and elsewhere:
+            self._draw_ghost(ghost, view, elsewhere, target)
         if look.fine:
             gl.copy_framebuffer(self._plain, self._smooth)
         data = self._plain.read(components=4)
@@ -168,7 +195,9 @@ class Renderer:
         """Release the OpenGL context. Nothing can be drawn after that."""
         self._gl.release()
 
-    def _draw_ground(self, poses: Sequence[float], view: bytes, dark: bool) -> None:
+    def _draw_ground(
+        self, poses: Sequence[float], view: bytes, dark: bool, gone: AbstractSet[int]
+    ) -> None:
         flat = self._flat
         flat.put("view", view)
         flat.put("ground", (0.155, 0.185, 0.235) if dark else (0.915, 0.93, 0.95))
@@ -180,22 +209,62 @@ class Renderer:
         self._ground.render()
         flat.put("shadow", 1.0)
         self._gl.blend_func = moderngl.ONE, moderngl.ZERO
-        for (_, _, array), matrix in zip(self._shapes, matrices(poses), strict=False):
-            flat.put("model", matrix.T.tobytes())
-            array.render()
+        for at, ((_, _, array), matrix) in enumerate(
+            zip(self._shapes, matrices(poses), strict=False)
+        ):
+            if at not in gone:
+                flat.put("model", matrix.T.tobytes())
+                array.render()
         self._gl.disable(moderngl.BLEND)
 
     def _draw_solids(
-        self, poses: Sequence[float], view: bytes, camera: WorldCamera, dark: bool
+        self,
+        poses: Sequence[float],
+        view: bytes,
+        camera: WorldCamera,
+        dark: bool,
+        gone: AbstractSet[int],
     ) -> None:
         solid = self._solid
         solid.put("view", view)
         solid.put("eye", tuple(float(v) for v in camera.eye))
         solid.put("dark", 1.0 if dark else 0.0)
-        for (shape, array, _), matrix in zip(self._shapes, matrices(poses), strict=False):
-            solid.put("colour", shape.colour)
-            solid.put("model", matrix.T.tobytes())
-            array.render()
+        solid.put("alpha", 1.0)
+        for at, ((shape, array, _), matrix) in enumerate(
+            zip(self._shapes, matrices(poses), strict=False)
+        ):
+            if at not in gone:
+                solid.put("colour", shape.colour)
+                solid.put("model", matrix.T.tobytes())
+                array.render()
+
+    def _draw_ghost(
+        self,
+        ghost: GhostPoses,
+        view: bytes,
+        elsewhere: AbstractSet[int],
+        target: moderngl.Framebuffer,
+    ) -> None:
+        """Draw the shapes that stand elsewhere in one colour. What is nearest of them is found
+        first, so that nothing of their inside is seen."""
+        solid, gl = self._solid, self._gl
+        solid.put("view", view)
+        solid.put("colour", ghost.colour)
+        solid.put("alpha", CLEAR)
+        whole = matrices(ghost.poses)
+        gl.enable(moderngl.BLEND)
+        gl.blend_func = moderngl.ONE, moderngl.ONE_MINUS_SRC_ALPHA
+        gl.depth_func = "<"
+        for seen in (False, True):
+            target.color_mask = (seen, seen, seen, seen)
+            target.use()
+            # The first pass lies a little behind the second, in which each point is drawn once.
+            gl.polygon_offset = (0.0, 0.0) if seen else (1.0, 2.0)
+            for at in sorted(elsewhere):
+                solid.put("model", whole[at].T.tobytes())
+                self._shapes[at][1].render()
+        gl.depth_func = "<="
+        gl.disable(moderngl.BLEND)
 
     def _sent(self, shape: Shape) -> tuple[Shape, moderngl.VertexArray, moderngl.VertexArray]:
         points = np.asarray(shape.mesh, dtype=np.float32).reshape(-1, 3)
@@ -234,6 +303,17 @@ def matrices(poses: Sequence[float]) -> NDArray[np.float32]:
     out[:, :3, 3] = rows[:, :3]
     out[:, 3, 3] = 1.0
     return out.astype(np.float32)
+
+
+def moved_shapes(poses: Sequence[float], others: Sequence[float]) -> frozenset[int]:
+    """Return the numbers of the shapes that stand elsewhere in other poses."""
+    if len(poses) != len(others):
+        return frozenset()
+    now, then = (np.asarray(one, dtype=np.float64).reshape(-1, 7) for one in (poses, others))
+    # A quaternion and its negative are the same rotation.
+    turned = 1.0 - np.abs((now[:, 3:] * then[:, 3:]).sum(axis=1))
+    apart = np.abs(now[:, :3] - then[:, :3]).max(axis=1, initial=0.0)
+    return frozenset(np.flatnonzero((apart > MOVED) | (turned > MOVED)).tolist())
 
 
 def normals(points: NDArray[np.float32]) -> NDArray[np.float32]:

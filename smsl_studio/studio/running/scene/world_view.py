@@ -10,7 +10,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from time import perf_counter
 
 import numpy as np
-from PySide6.QtCore import QPointF, QRectF, Qt, QTimer, Signal
+from PySide6.QtCore import QPointF, QRectF, QSizeF, Qt, QTimer, Signal
 from PySide6.QtGui import (
     QColor,
     QFontMetricsF,
@@ -38,8 +38,15 @@ from smsl_studio.studio.running.scene.camera import (
     own_corners,
     placed,
 )
+from smsl_studio.studio.running.scene.ghost import GhostPlace
+from smsl_studio.studio.running.scene.ghost_paint import paint_ghost_words
 from smsl_studio.studio.running.scene.name_places import SMALL, free_place, is_aside
-from smsl_studio.studio.running.scene.renderer import Renderer, RenderStyle, open_renderer
+from smsl_studio.studio.running.scene.renderer import (
+    GhostPoses,
+    Renderer,
+    RenderStyle,
+    open_renderer,
+)
 from smsl_studio.world.protocol import Shape
 
 LIMIT = 0.025
@@ -67,6 +74,7 @@ class WorldView(QWidget):
         """The box around each thing with a label, in its own frame (m)."""
         self._poses: tuple[float, ...] = ()
         self._status: tuple[str, ...] = ()
+        self._ghost: GhostPlace | None = None
         self._sentence = "Starts with the run"
         self._image: QImage | None = None
         self._drag: QPointF | None = None
@@ -74,6 +82,8 @@ class WorldView(QWidget):
         self._fine = self._quick = True
         self.follows = False
         """Whether the camera goes with the tool: the last thing without a label."""
+        self.foot = 0
+        """How much of the picture lies under something at the bottom (pixels)."""
         self.patient = False
         """Draw every picture smooth, however long it takes."""
         self._took = 0.0
@@ -98,6 +108,7 @@ class WorldView(QWidget):
     def load(self, shapes: Sequence[Shape], world: str) -> None:
         """Show another world. Without shapes a sentence says that there is nothing to draw."""
         self._shapes, self._poses, self._image = tuple(shapes), (), None
+        self._ghost = None
         self._corners = [own_corners(shape) if shape.label else None for shape in shapes]
         if not shapes:
             self._sentence = (
@@ -139,6 +150,16 @@ class WorldView(QWidget):
                 self._camera = self._camera.at(self._followed())
             self._moving()
 
+    def show_ghost(self, place: GhostPlace | None) -> None:
+        """Show where a forecast moves things; None shows none. It is left out if it is of another
+        world."""
+        if place is not None and len(place.poses) != 7 * len(self._shapes):
+            place = None
+        if place != self._ghost:
+            self._ghost = place
+            if self._poses:
+                self._moving()
+
     def follow(self, wanted: bool) -> None:
         """Let the camera go with the tool, or stay where it is."""
         self.follows = wanted
@@ -147,10 +168,15 @@ class WorldView(QWidget):
 
     def _followed(self) -> tuple[float, float, float]:
         """Return where the tool is (m)."""
-        plain = [n for n, shape in enumerate(self._shapes) if not shape.label]
-        at = 7 * (plain[-1] if plain else len(self._shapes) - 1)
+        at = 7 * self._tool
         x, y, z = self._poses[at : at + 3]
         return x, y, z
+
+    @property
+    def _tool(self) -> int:
+        """The number of the shape that is the tool."""
+        plain = [n for n, shape in enumerate(self._shapes) if not shape.label]
+        return plain[-1] if plain else len(self._shapes) - 1
 
     def picture(self, poses: tuple[float, ...] = ()) -> QImage:
         """Return what is shown, with the names of things, as an opaque image of the view's size.
@@ -218,6 +244,9 @@ class WorldView(QWidget):
         image = self._image or self._render()
         painter.drawImage(self.rect(), image)
         self._paint_labels(painter)
+        if self._ghost is not None:
+            room = QSizeF(self.size())
+            paint_ghost_words(painter, room, self._camera, self._ghost, self._tool, self._tokens)
         self._paint_chips(painter)
 
     def showEvent(self, event: QShowEvent) -> None:
@@ -272,8 +301,11 @@ class WorldView(QWidget):
         began, ratio = perf_counter(), self.devicePixelRatioF()
         fine = self._quick or self.patient or not self._rest.isActive()
         size = round(self.width() * ratio), round(self.height() * ratio)
+        ghost, accent = self._ghost, self._tokens.acc
+        colour = accent.redF(), accent.greenF(), accent.blueF()
+        drawn = GhostPoses(ghost.poses, colour, ghost.alone) if ghost is not None else None
         image = self._renderer.draw(
-            self._poses, self._camera, RenderStyle(*size, self._tokens.dark, fine)
+            self._poses, self._camera, RenderStyle(*size, self._tokens.dark, fine, drawn)
         )
         image.setDevicePixelRatio(ratio)
         self._image, self._fine = image, fine
@@ -344,7 +376,7 @@ class WorldView(QWidget):
 
     def _paint_chips(self, painter: QPainter) -> None:
         painter.setFont(text_font(12))
-        left, bottom = 12.0, self.height() - 12.0
+        left, bottom = 12.0, self.height() - 12.0 - self.foot
         for words in self._status:
             width = QFontMetricsF(painter.font()).horizontalAdvance(words) + 20
             self._paint_box(painter, QRectF(left, bottom - 24, width, 24), words, self._tokens.tx2)

@@ -22,24 +22,29 @@ from smsl_studio.studio.base.controls import Elided, label
 from smsl_studio.studio.base.icons import icon
 from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.base.words import counted
-from smsl_studio.studio.features.run.operation_bar import OperationBar
-from smsl_studio.studio.features.run.tiles import TilesView
+from smsl_studio.studio.running.forecast_bar import HIGH as BAR
+from smsl_studio.studio.running.forecast_bar import ForecastBar
+from smsl_studio.studio.running.forecaster import proposed
 from smsl_studio.studio.running.frames import MIDDLE, laid_over, tool, tools_over, words_over
+from smsl_studio.studio.running.operation_bar import OperationBar
 from smsl_studio.studio.running.operation_time import WHY
 from smsl_studio.studio.running.run_session import RunSession
 from smsl_studio.studio.running.scene.camera import VIEWS
+from smsl_studio.studio.running.scene.ghost import Ghost
 from smsl_studio.studio.running.scene.kept_poses import KeptPoses
 from smsl_studio.studio.running.scene.world_view import WorldView
+from smsl_studio.studio.running.tiles import TilesView
 
 FAULT = "Let something go wrong, now or at a chosen moment (Ctrl+Shift+I)"
 SCRIPT = "Save what was done by hand as a script"
 
 
 class WorldPane(QWidget):
-    """Shows the world of ``run``.
+    """Shows the world of ``run``, and the forecast of an operation as a ghost in it.
 
     ``view`` is its picture. ``tiles`` and ``bar`` stand in its place if the world has no shapes or
-    there are no graphics. Above it are the buttons for a fault and for the script of what was done
+    there are no graphics. One that only ``watches`` offers no trials, and another part asks for the
+    forecasts. Above it are the buttons for a fault and for the script of what was done
     by hand. ``kept`` are the poses that were watched, for a clip.
     """
 
@@ -52,13 +57,16 @@ class WorldPane(QWidget):
     clip_wanted = Signal()
     """The person wants to save a clip of what was watched."""
 
-    def __init__(self, run: RunSession, tokens: Tokens, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self._run = run
+    def __init__(self, run: RunSession, tokens: Tokens, watches: bool = False) -> None:
+        super().__init__()
+        self._run, self._watches = run, watches
         self._loaded = False
         self.view = WorldView(tokens)
-        self.kept = KeptPoses()
+        self.kept, self.ghost = KeptPoses(), Ghost(self)
+        self.moment = ForecastBar(self.ghost, tokens)
+        self.ghost.moved.connect(self._show_ghost)
         self.view.came_into_view.connect(self.draw)
+        self.view.came_into_view.connect(self._look_ahead)
         self.tiles, self.bar = TilesView(tokens), OperationBar(tokens)
         self._name = Elided("")
         self._name.setProperty("role", "second")
@@ -87,6 +95,7 @@ class WorldPane(QWidget):
         self._trials = tools_over(self.fault, self.script)
         self._build()
         run.progressed.connect(self.show_time)
+        run.forecaster.changed.connect(self.show_forecast)
 
     def _build(self) -> None:
         plain = QWidget()
@@ -109,7 +118,7 @@ class WorldPane(QWidget):
         across.addWidget(self._tools)
         whole = QVBoxLayout(self)
         whole.setContentsMargins(0, 0, 0, 0)
-        whole.addWidget(laid_over(self._pages, self._words, self._buttons))
+        whole.addWidget(laid_over(self._pages, self._words, self._buttons, self.moment))
         self.show_trials()
 
     @property
@@ -143,6 +152,7 @@ class WorldPane(QWidget):
     def clear(self) -> None:
         """Show that there is no run."""
         self._loaded = False
+        self.ghost.show(None)
         self.view.clear()
         self.kept.clear()
         self._name.setText("")
@@ -153,7 +163,7 @@ class WorldPane(QWidget):
     def show_trials(self) -> None:
         """Show which of the trials by hand are possible now."""
         run, acts = self._run, len(self._run.lines)
-        self._trials.setVisible(run.exists or bool(acts))
+        self._trials.setVisible(not self._watches and (run.exists or bool(acts)))
         self.fault.setEnabled(run.exists)
         self.script.setEnabled(bool(acts))
         words = f"Script {acts}…" if acts else "Script…"
@@ -170,9 +180,28 @@ class WorldPane(QWidget):
             self.kept.add(run.time, poses)
             self.view.show_poses(poses, run.words(), last=not run.exists)
 
+    def _look_ahead(self) -> None:
+        """Forecast the operation that is proposed, where the picture can show that."""
+        run, edge = self._run, proposed(self._run.status)
+        if not self._watches and self.isVisible() and self.view.has_picture and edge is not None:
+            run.forecaster.follow(run.asked, run.status, edge)
+        self.show_forecast()
+
+    def show_forecast(self) -> None:
+        """Play the forecast of the run once as a ghost, while an operation is proposed."""
+        view, edge = self._run.forecaster.view, proposed(self._run.status)
+        if self.isVisible():
+            seen = self.view.has_picture and view is not None and edge is not None
+            self.ghost.show(view.frames if seen and view is not None else None)
+
+    def _show_ghost(self) -> None:
+        self.view.foot = BAR + 10 if self.ghost.seconds > 0 else 0
+        self.view.show_ghost(self.ghost.place)
+
     def show_facts(self, rows: tuple[FactRow, ...]) -> None:
-        """Show the facts of the run, if the world has no picture."""
+        """Show the facts of the run, if the world has no picture, and look ahead if it has one."""
         self.show_trials()
+        self._look_ahead()
         blueprint, status = self._run.blueprint, self._run.status
         if blueprint is None or status is None or self.view.has_picture or not self._loaded:
             self._pages.setCurrentIndex(0)
@@ -196,7 +225,7 @@ class WorldPane(QWidget):
 
     def set_tokens(self, tokens: Tokens) -> None:
         """Use the colours of another theme."""
-        for part in (self.view, self.tiles, self.bar):
+        for part in (self.view, self.tiles, self.bar, self.moment):
             part.set_tokens(tokens)
         self._looks.setIcon(icon("camera", tokens))
         self._home.setIcon(icon("fit", tokens))

@@ -10,7 +10,7 @@ from smsl_studio.front.views.fact_tiles import FactTile
 from smsl_studio.legible import plain_text
 from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.base.tips import tip_text
-from smsl_studio.studio.features.run.tile_painter import Index, TilePainter
+from smsl_studio.studio.running.tile_painter import Index, TilePainter
 
 LIGHT = 1200
 """Milliseconds for which a tile is lit after its value has changed."""

@@ -10,7 +10,7 @@ from pytestqt.qtbot import QtBot
 
 from smsl_studio.front.views.fact_tiles import FactTile
 from smsl_studio.studio.base.theme import DARK, LIGHT
-from smsl_studio.studio.features.run.tiles import HIGH, LOW, TilesView
+from smsl_studio.studio.running.tiles import HIGH, LOW, TilesView
 
 LONG = "x" * 10_000
 

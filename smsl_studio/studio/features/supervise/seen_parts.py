@@ -1,0 +1,140 @@
+"""What Supervise shows of a run: the partial view, the text of the active state, and the scene."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from PySide6.QtCore import Qt, QTimer, Signal
+from PySide6.QtGui import QAction, QResizeEvent
+from PySide6.QtWidgets import QMenu, QSplitter, QVBoxLayout, QWidget
+
+from smsl_studio.front.views.fact_rows import fact_rows
+from smsl_studio.studio.features.supervise.columns import TALL
+from smsl_studio.studio.features.supervise.head import HIGH
+from smsl_studio.studio.features.supervise.splits import split_of
+from smsl_studio.studio.features.supervise.text_panel import LEAST, TextPanel
+from smsl_studio.studio.running.run_session import RunSession
+from smsl_studio.studio.running.world_pane import WorldPane
+
+GRAPH, TEXT, SCENE = "Partial view", "Text", "Scene"
+NAMES = (GRAPH, TEXT, SCENE)
+GRAPH_WIDTH = 424
+"""The designed width of the partial view beside a scene (pixels)."""
+ROOM = 800, 380
+"""From this width and height text and scene are shown by themselves, if the world has a picture
+(pixels)."""
+FRAME = 33
+"""Milliseconds between two pictures of the world."""
+
+
+class SeenParts(QWidget):
+    """The three parts. Each can be hidden, but one stays.
+
+    Until a person chooses, the partial view is alone, and text and scene come with a world that has
+    a picture, where there is room. ``remember`` gets what was chosen, for the next window.
+    """
+
+    turned = Signal()
+    """Other parts are shown than before."""
+
+    def __init__(self, run: RunSession, graph: QWidget, text: TextPanel, scene: WorldPane) -> None:
+        super().__init__()
+        self._run = run
+        self._parts = dict(zip(NAMES, (graph, text, scene), strict=True))
+        self._chosen: tuple[str, ...] = ()
+        self._loaded: object = None
+        self.remember: Callable[[str], object] = lambda _: None
+        self.text, self.scene = text, scene
+        self._left = split_of(Qt.Orientation.Vertical, graph, text)
+        self._left.setStretchFactor(0, 1)
+        self._whole = split_of(Qt.Orientation.Horizontal, self._left, scene)
+        self._whole.setStretchFactor(1, 1)
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.addWidget(self._whole)
+        self.menu = QMenu(self)
+        self.menu.setAccessibleName("Parts of Supervise")
+        self.choices: dict[str, QAction] = {}
+        for name in NAMES:
+            action = self.menu.addAction(name)
+            action.setCheckable(True)
+            action.triggered.connect(lambda on, name=name: self._choose(name, on))
+            self.choices[name] = action
+        self._frames = QTimer(self)
+        self._frames.setInterval(FRAME)
+        self._frames.timeout.connect(self._draw)
+        run.opened.connect(self.refresh)
+        self.fit()
+
+    @property
+    def splitter(self) -> QSplitter:
+        """What parts the scene from the rest."""
+        return self._whole
+
+    @property
+    def shown(self) -> tuple[str, ...]:
+        """The names of the parts that are shown."""
+        if self._chosen:
+            return self._chosen
+        wide, high = ROOM
+        roomy = self.width() >= wide and self.height() >= high
+        return NAMES if self._run.shapes and roomy else (GRAPH,)
+
+    def restore(self, text: str) -> None:
+        """Show what was remembered. Anything else is left alone."""
+        self._chosen = tuple(name for name in NAMES if name in text.split(","))
+        self.fit()
+
+    def fit(self) -> None:
+        """Show the parts that are chosen, or that fit."""
+        shown = self.shown
+        changed = [name for name in NAMES if self._parts[name].isHidden() is (name in shown)]
+        for name in NAMES:
+            self._parts[name].setVisible(name in shown)
+            self.choices[name].setChecked(name in shown)
+            self.choices[name].setEnabled(shown != (name,))
+        self._left.setVisible(GRAPH in shown or TEXT in shown)
+        if TEXT in changed and TEXT in shown:
+            self._left.setSizes([max(self.height() - LEAST, TALL + HIGH), LEAST])
+        if SCENE in changed and SCENE in shown:
+            self._whole.setSizes([GRAPH_WIDTH, max(self.width() - GRAPH_WIDTH, 240)])
+        if changed:
+            self.turned.emit()
+
+    def refresh(self) -> None:
+        """Show the world of the run in the scene, if that is shown."""
+        run, blueprint, status = self._run, self._run.blueprint, self._run.status
+        self.fit()
+        seen = self.scene.isVisible()
+        if not seen or status is None or blueprint is None:
+            self._frames.stop()
+            if not run.exists and status is None and self._loaded is not None:
+                self._loaded = None
+                self.scene.clear()
+            return
+        if self._loaded is not run.shapes:
+            self._loaded = run.shapes
+            self.scene.load()
+        self.scene.show_facts(fact_rows(blueprint, status, run.phase == "failed"))
+        if run.exists and not self._frames.isActive():
+            self._frames.start()
+        elif not run.exists:
+            self._draw()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Show what fits."""
+        super().resizeEvent(event)
+        self.fit()
+
+    def _choose(self, name: str, on: bool) -> None:
+        shown = set(self.shown)
+        (shown.add if on else shown.discard)(name)
+        if shown:
+            self._chosen = tuple(one for one in NAMES if one in shown)
+            self.remember(",".join(self._chosen))
+        self.fit()
+
+    def _draw(self) -> None:
+        self.scene.draw()
+        if not self._run.exists or not self.scene.isVisible():
+            self._frames.stop()
