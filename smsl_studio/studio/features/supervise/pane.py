@@ -67,7 +67,7 @@ class SupervisePane(QWidget):
         self, session: Session, run: RunSession, tokens: Tokens, parent: QWidget | None = None
     ) -> None:
         super().__init__(parent)
-        self._session, self._run = session, run
+        self._session, self._run, self._tokens = session, run, tokens
         self._chosen_branch = self._branch = ""
         self._view: PartialView | None = None
         self.setAccessibleName("Supervise")
@@ -91,7 +91,7 @@ class SupervisePane(QWidget):
 
     def set_tokens(self, tokens: Tokens) -> None:
         """Use the colours of another theme."""
-        for part in self._wearing:
+        for part in (*self._wearing, self.seen):
             part.set_tokens(tokens)
         self.refresh()
 
@@ -206,7 +206,7 @@ class SupervisePane(QWidget):
         for page in (self.board, self.full_map, self.notice):
             self.pages.addWidget(page)
         graph = column_of(self.head, self.pages)
-        self.seen = SeenParts(self._run, graph, self.text, self.scene)
+        self.seen = SeenParts(self._run, graph, self.text, self.scene, self._tokens)
         self.bar.views.setMenu(self.seen.menu)
         top = column_of(None, self.seen, self.forecast)
         self.level_slot = QVBoxLayout()
@@ -274,7 +274,7 @@ class SupervisePane(QWidget):
             self._branch = branch
             self._view = partial_view(blueprint, status, branch)
         self._show_bar(status)
-        if not self.isVisible():
+        if not self.isVisible() and self.seen.own is None:
             return
         self.deciding.follow(status, self._view)
         mapped = bool(here and run.exists and status is not None and status.full_map)

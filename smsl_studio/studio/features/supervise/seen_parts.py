@@ -9,8 +9,10 @@ from PySide6.QtGui import QAction, QResizeEvent
 from PySide6.QtWidgets import QMenu, QSplitter, QVBoxLayout, QWidget
 
 from smsl_studio.front.views.fact_rows import fact_rows
+from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.features.supervise.columns import TALL
 from smsl_studio.studio.features.supervise.head import HIGH
+from smsl_studio.studio.features.supervise.own_window import OwnWindow
 from smsl_studio.studio.features.supervise.splits import split_of
 from smsl_studio.studio.features.supervise.text_panel import LEAST, TextPanel
 from smsl_studio.studio.running.run_session import RunSession
@@ -37,14 +39,18 @@ class SeenParts(QWidget):
     turned = Signal()
     """Other parts are shown than before."""
 
-    def __init__(self, run: RunSession, graph: QWidget, text: TextPanel, scene: WorldPane) -> None:
+    def __init__(
+        self, run: RunSession, graph: QWidget, text: TextPanel, scene: WorldPane, tokens: Tokens
+    ) -> None:
         super().__init__()
-        self._run = run
+        self._run, self._tokens = run, tokens
+        self.own: OwnWindow | None = None
+        """The window of the partial view, while it has one."""
         self._parts = dict(zip(NAMES, (graph, text, scene), strict=True))
         self._chosen: tuple[str, ...] = ()
         self._loaded: object = None
         self.remember: Callable[[str], object] = lambda _: None
-        self.text, self.scene = text, scene
+        self.graph, self.text, self.scene = graph, text, scene
         self._left = split_of(Qt.Orientation.Vertical, graph, text)
         self._left.setStretchFactor(0, 1)
         self._whole = split_of(Qt.Orientation.Horizontal, self._left, scene)
@@ -60,6 +66,10 @@ class SeenParts(QWidget):
             action.setCheckable(True)
             action.triggered.connect(lambda on, name=name: self._choose(name, on))
             self.choices[name] = action
+        self.menu.addSeparator()
+        self.apart = self.menu.addAction("Partial view in its own window")
+        self.apart.setCheckable(True)
+        self.apart.triggered.connect(lambda on: self.tear_off() if on else self.put_back())
         self._frames = QTimer(self)
         self._frames.setInterval(FRAME)
         self._frames.timeout.connect(self._draw)
@@ -74,6 +84,9 @@ class SeenParts(QWidget):
     @property
     def shown(self) -> tuple[str, ...]:
         """The names of the parts that are shown."""
+        if self.own is not None:
+            rest = tuple(name for name in self._chosen if name != GRAPH)
+            return rest or (TEXT, SCENE)
         if self._chosen:
             return self._chosen
         wide, high = ROOM
@@ -90,9 +103,10 @@ class SeenParts(QWidget):
         shown = self.shown
         changed = [name for name in NAMES if self._parts[name].isHidden() is (name in shown)]
         for name in NAMES:
-            self._parts[name].setVisible(name in shown)
-            self.choices[name].setChecked(name in shown)
-            self.choices[name].setEnabled(shown != (name,))
+            apart = name == GRAPH and self.own is not None
+            self._parts[name].setVisible(apart or name in shown)
+            self.choices[name].setChecked(apart or name in shown)
+            self.choices[name].setEnabled(not apart and shown != (name,))
         self._left.setVisible(GRAPH in shown or TEXT in shown)
         if TEXT in changed and TEXT in shown:
             self._left.setSizes([max(self.height() - LEAST, TALL + HIGH), LEAST])
@@ -101,10 +115,45 @@ class SeenParts(QWidget):
         if changed:
             self.turned.emit()
 
+    def tear_off(self) -> None:
+        """Show the partial view in a window of its own, which can stand on another screen."""
+        if self.own is None:
+            self.own = OwnWindow(self._parts[GRAPH], self._tokens, self.window())
+            self.own.stop.clicked.connect(lambda: self._run.stop())
+            self.own.finished.connect(lambda _: self.put_back())
+            self._show_own()
+            self.own.show()
+            self.fit()
+            self.turned.emit()
+
+    def put_back(self) -> None:
+        """Show the partial view in its place again."""
+        own, self.own = self.own, None
+        if own is not None:
+            self._left.insertWidget(0, self._parts[GRAPH])
+            self._left.setStretchFactor(0, 1)
+            own.hide()
+            own.deleteLater()
+            self._show_own()
+            self.fit()
+            self.turned.emit()
+
+    def set_tokens(self, tokens: Tokens) -> None:
+        """Use the colours of another theme."""
+        self._tokens = tokens
+        if self.own is not None:
+            self.own.stop.set_tokens(tokens)
+
+    def _show_own(self) -> None:
+        self.apart.setChecked(self.own is not None)
+        if self.own is not None:
+            self.own.show_run(self._run)
+
     def refresh(self) -> None:
         """Show the world of the run in the scene, if that is shown."""
         run, blueprint, status = self._run, self._run.blueprint, self._run.status
         self.fit()
+        self._show_own()
         seen = self.scene.isVisible()
         if not seen or status is None or blueprint is None:
             self._frames.stop()

@@ -14,7 +14,7 @@ from smsl_studio.blueprint.address import Address
 from smsl_studio.front.views.partial import partial_view
 from smsl_studio.studio.base.theme import LIGHT
 from smsl_studio.studio.features.supervise.columns import NARROWEST, STACKED, stacked_columns
-from smsl_studio.studio.features.supervise.seen_parts import GRAPH, NAMES, SCENE, SeenParts
+from smsl_studio.studio.features.supervise.seen_parts import GRAPH, NAMES, SCENE, TEXT, SeenParts
 from smsl_studio.studio.features.supervise.text_panel import TextPanel
 from smsl_studio.studio.running.run_session import RunSession
 from smsl_studio.studio.running.world_pane import WorldPane
@@ -34,7 +34,7 @@ def run() -> RunSession:
 
 
 def parts(run: RunSession, qtbot: QtBot) -> SeenParts:
-    made = SeenParts(run, QWidget(), TextPanel(LIGHT), WorldPane(run, LIGHT, watches=True))
+    made = SeenParts(run, QWidget(), TextPanel(LIGHT), WorldPane(run, LIGHT, watches=True), LIGHT)
     qtbot.addWidget(made)
     made.resize(900, 500)
     made.show()
@@ -45,12 +45,12 @@ def test_text_and_scene_come_by_themselves_with_a_picture_where_there_is_room(
     run: RunSession, qtbot: QtBot
 ) -> None:
     made = parts(run, qtbot)
-    assert made.shown == (GRAPH,)
+    assert [*made.shown] == [GRAPH]
     run.shapes = (Shape("thing", (), (1.0, 0.0, 0.0)),)
     made.fit()
-    assert made.shown == NAMES
+    assert [*made.shown] == [*NAMES]
     made.resize(700, 500)
-    assert made.shown == (GRAPH,)
+    assert [*made.shown] == [GRAPH]
 
 
 def test_each_part_can_be_hidden_but_the_last_one_and_that_is_remembered(
@@ -59,17 +59,37 @@ def test_each_part_can_be_hidden_but_the_last_one_and_that_is_remembered(
     made, told = parts(run, qtbot), list[str]()
     made.remember = told.append
     made.choices[SCENE].trigger()
-    assert made.shown == (GRAPH, SCENE)
+    assert [*made.shown] == [GRAPH, SCENE]
     assert made.scene.isVisible()
     made.choices[GRAPH].trigger()
-    assert made.shown == (SCENE,)
+    assert [*made.shown] == [SCENE]
     assert not made.choices[SCENE].isEnabled()
     assert told == [f"{GRAPH},{SCENE}", SCENE]
     again = parts(run, qtbot)
     again.restore(told[0])
-    assert again.shown == (GRAPH, SCENE)
+    assert [*again.shown] == [GRAPH, SCENE]
     again.restore("nonsense,")
-    assert again.shown == (GRAPH,)
+    assert [*again.shown] == [GRAPH]
+
+
+def test_the_partial_view_goes_to_a_window_of_its_own_and_comes_back(
+    run: RunSession, qtbot: QtBot
+) -> None:
+    made = parts(run, qtbot)
+    made.apart.trigger()
+    assert made.own is not None
+    graph = made.graph
+    assert graph.window() is made.own
+    qtbot.addWidget(made.own)
+    assert made.own.isVisible()
+    assert [*made.shown] == [TEXT, SCENE], "the place that is left is used"
+    assert not made.own.stop.isEnabled(), "nothing runs"
+    made.own.close()
+    assert made.own is None
+    assert not made.apart.isChecked()
+    assert [*made.shown] == [GRAPH]
+    assert graph.window() is made.window()
+    assert graph.isVisible()
 
 
 def test_without_a_picture_the_scene_shows_the_facts_as_tiles(
