@@ -16,6 +16,7 @@ from smsl_studio.front.request import RunRequest
 from smsl_studio.front.views.forecast_words import Values
 from smsl_studio.library.loaded import Loaded
 from smsl_studio.library.prediction import AGREES, Prediction
+from smsl_studio.runlog.events import Event, ForecastTold, RunStarted
 from smsl_studio.studio.base.beside import Beside
 from smsl_studio.studio.running.scene.ghost import EVERY
 from smsl_studio.studio.running.scene.kept_poses import KeptPoses
@@ -70,6 +71,8 @@ class Forecaster(QObject):
         from smsl_studio.front.twin import Twin
 
         self.view: ForecastView | None = None
+        self.compared: list[ForecastTold] = []
+        """What the run has told of its own forecasts."""
         self._make = Twin
         self._twin: Twin | None = None
         self._request: RunRequest | None = None
@@ -82,6 +85,12 @@ class Forecaster(QObject):
         self._quiet.setSingleShot(True)
         self._quiet.setInterval(QUIET)
         self._quiet.timeout.connect(self._look)
+
+    def hear(self, events: tuple[Event, ...]) -> None:
+        """Keep what a run tells of its own forecasts, until another run begins."""
+        if any(isinstance(one, RunStarted) for one in events):
+            self.compared.clear()
+        self.compared += [one for one in events if isinstance(one, ForecastTold)]
 
     def follow(
         self,

@@ -195,6 +195,7 @@ class RunSession(QObject, Commands):
         """What forecasts operations beside this run. Its world is kept as long as the run lives."""
         made = Forecaster(self)
         self.exists_changed.connect(lambda on: None if on else made.clear())
+        self.events_told.connect(made.hear)
         return made
 
     @property

@@ -29,6 +29,7 @@ from smsl_studio.studio.base.tips import tip_text
 from smsl_studio.studio.base.words import capital
 from smsl_studio.studio.features.monitor.checks import Checks
 from smsl_studio.studio.features.monitor.disturb_bar import KINDS, DisturbBar
+from smsl_studio.studio.features.monitor.drift import DriftPanel
 from smsl_studio.studio.features.monitor.fault_bar import FaultBar
 from smsl_studio.studio.features.monitor.network import network_rows
 from smsl_studio.studio.features.monitor.table import MonitorTable
@@ -66,7 +67,7 @@ class MonitorPage(HeadedPage):
         self.network = RowsView(tokens)
         self.network.setAccessibleName("Nodes and broker")
         self.network.setSelectionMode(RowsView.SelectionMode.NoSelection)
-        self.checks = Checks(tokens)
+        self.checks, self.drift = Checks(tokens), DriftPanel(self._run, tokens)
         self.bar, self.faults = DisturbBar(), FaultBar()
         empty = label(EMPTY, "hint")
         empty.setAlignment(Qt.AlignmentFlag.AlignCenter)
@@ -91,9 +92,9 @@ class MonitorPage(HeadedPage):
             column.addWidget(part, 1 if part is self._pages else 0)
         side = split(
             Qt.Orientation.Vertical,
-            (panel(self.network), panel(head("State checks"), self.checks)),
-            (250, 400),
-            (2, 3),
+            (panel(self.network), panel(head("State checks"), self.checks), self.drift),
+            (250, 400, 260),
+            (2, 3, 2),
         )
         side.setMinimumWidth(180)
         across = split(Qt.Orientation.Horizontal, (left, side), (SIZE[0] - SIDE, SIDE), (1, 0))
@@ -151,6 +152,7 @@ class MonitorPage(HeadedPage):
         self._show_plot()
 
     def _show_network(self) -> None:
+        self.drift.refresh()
         run = self._run
         world = run.choice.world if run.choice else ""
         rows = network_rows(world, run.exists, run.sensors, run.remote())
@@ -178,7 +180,7 @@ class MonitorPage(HeadedPage):
 
     def set_tokens(self, tokens: Tokens) -> None:
         """Use the colours of another theme."""
-        for part in (self.table, self.plot, self.network, self.checks):
+        for part in (self.table, self.plot, self.network, self.checks, self.drift):
             part.set_tokens(tokens)
         self.refresh()
 
