@@ -25,6 +25,8 @@ GRAPH_WIDTH = 424
 ROOM = 800, 380
 """From this width and height text and scene are shown by themselves, if the world has a picture
 (pixels)."""
+BOARD = 142
+"""The smallest height of the board, in which a state is whole (pixels)."""
 FRAME = 33
 """Milliseconds between two pictures of the world."""
 
@@ -51,6 +53,8 @@ class SeenParts(QWidget):
         self._loaded: object = None
         self.remember: Callable[[str], object] = lambda _: None
         self.graph, self.text, self.scene = graph, text, scene
+        # A splitter gives its parts less than a column does, and then a state would be cut.
+        graph.setMinimumHeight(HIGH + BOARD)
         self._left = split_of(Qt.Orientation.Vertical, graph, text)
         self._left.setStretchFactor(0, 1)
         self._whole = split_of(Qt.Orientation.Horizontal, self._left, scene)
