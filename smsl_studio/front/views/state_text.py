@@ -15,7 +15,7 @@ MOST = 400
 
 
 @dataclass(frozen=True)
-class TextLine:
+class StateLine:
     """One line with its number in the text, from 1. ``operation`` is the name of the operation that
     begins on it, empty for none."""
 
@@ -30,7 +30,7 @@ class StateText:
     ``total`` counts the lines of the whole text. ``why`` says why there are none.
     """
 
-    lines: tuple[TextLine, ...] = ()
+    lines: tuple[StateLine, ...] = ()
     count: int = 0
     total: int = 0
     why: str = ""
@@ -79,7 +79,7 @@ class StateTexts:
         every = found.text.splitlines()
         shown = every[first - 1 : last][:MOST]
         lines = tuple(
-            TextLine(number, text, begins.get(number, ""))
+            StateLine(number, text, begins.get(number, ""))
             for number, text in enumerate(shown, first)
         )
         return StateText(lines, last - first + 1, len(every))

@@ -7,7 +7,7 @@ from functools import partial
 import pyqtgraph as pg
 from PySide6.QtWidgets import QFrame, QPushButton, QVBoxLayout, QWidget
 
-from smsl_studio.front.views.forecast_drift import Drift, drift_of, recorded_drift
+from smsl_studio.front.forecast_drift import ForecastRecord, drift_of, recorded_drift
 from smsl_studio.legible import plain_text
 from smsl_studio.studio.base.beside import Beside
 from smsl_studio.studio.base.controls import Elided, row
@@ -29,7 +29,7 @@ class DriftPanel(QWidget):
     def __init__(self, run: RunSession, tokens: Tokens) -> None:
         super().__init__()
         self._run, self._tokens = run, tokens
-        self._recorded: Drift | None = None
+        self._recorded: ForecastRecord | None = None
         self._beside = Beside(self)
         self.words = Elided()
         self.other = QPushButton(OTHERS[0])
@@ -58,7 +58,7 @@ class DriftPanel(QWidget):
         self.hide()
 
     @property
-    def drift(self) -> Drift:
+    def drift(self) -> ForecastRecord:
         """What is shown."""
         return self._recorded or drift_of(self._run.forecaster.compared)
 
@@ -92,6 +92,6 @@ class DriftPanel(QWidget):
             self.words.setText("Reading the recordings")
             self._beside.do(partial(recorded_drift, folder), self._take)
 
-    def _take(self, found: Drift) -> None:
+    def _take(self, found: ForecastRecord) -> None:
         self._recorded = found
         self.refresh()

@@ -20,7 +20,7 @@ LARGEST = 64 * 2**20
 
 
 @dataclass(frozen=True)
-class DriftRow:
+class ForecastCount:
     """One operation: how many of its forecasts were right, of how many, and the last that was
     wrong."""
 
@@ -31,11 +31,11 @@ class DriftRow:
 
 
 @dataclass(frozen=True)
-class Drift:
+class ForecastRecord:
     """The comparisons of forecasts with what came. ``outcomes`` has them in order: right or not.
     ``runs`` is how many runs they are from."""
 
-    rows: tuple[DriftRow, ...] = ()
+    rows: tuple[ForecastCount, ...] = ()
     outcomes: tuple[bool, ...] = ()
     runs: int = 1
 
@@ -58,20 +58,22 @@ class Drift:
         return tuple(found)
 
 
-def drift_of(events: Iterable[Event], runs: int = 1) -> Drift:
+def drift_of(events: Iterable[Event], runs: int = 1) -> ForecastRecord:
     """Return the comparisons among the events of runs. Operations that were wrong stand first."""
     told = [e for e in events if isinstance(e, ForecastTold) and e.verdict in COMPARISONS]
-    rows: dict[str, DriftRow] = {}
+    rows: dict[str, ForecastCount] = {}
     for one in told:
-        before = rows.get(one.address, DriftRow(one.address, 0, 0))
+        before = rows.get(one.address, ForecastCount(one.address, 0, 0))
         right = one.verdict == RIGHT
         reason = before.reason if right else one_line(one.reason)
-        rows[one.address] = DriftRow(one.address, before.right + right, before.count + 1, reason)
+        rows[one.address] = ForecastCount(
+            one.address, before.right + right, before.count + 1, reason
+        )
     ordered = sorted(rows.values(), key=lambda row: (row.right / row.count, row.operation))
-    return Drift(tuple(ordered), tuple(one.verdict == RIGHT for one in told), runs)
+    return ForecastRecord(tuple(ordered), tuple(one.verdict == RIGHT for one in told), runs)
 
 
-def recorded_drift(folder: Path) -> Drift:
+def recorded_drift(folder: Path) -> ForecastRecord:
     """Return the comparisons in the newest recordings of a folder, the oldest first. What is no
     recording, is too large or cannot be read is left out. Stopped if whoever waits stops it."""
     logs = [one for one in folder.glob("*.jsonl") if one.is_file()] if folder.is_dir() else []
