@@ -2,6 +2,7 @@
 
 The first line says what is explored, each further line has the values of a state and where its
 operations lead. A file of another exploration is begun anew, and a line that was cut is left out.
+Any other file of this name is somebody's, and stays as it is.
 """
 
 from __future__ import annotations
@@ -11,7 +12,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import IO, Any, TypeGuard
 
-from smsl_studio.errors import SaveError
+from smsl_studio.errors import SaveError, UsageError
 from smsl_studio.front.request import RunRequest
 from smsl_studio.front.version import version
 from smsl_studio.front.world_codes import surveyed
@@ -25,7 +26,10 @@ Row = dict[str, Values]
 
 
 class ExploredPart:
-    """The rows that are known. ``path`` None keeps nothing."""
+    """The rows that are known. ``path`` None keeps nothing.
+
+    UsageError if there is another kind of file at ``path``.
+    """
 
     def __init__(self, path: Path | None, head: str) -> None:
         self.known: dict[Values, Row] = {}
@@ -57,7 +61,15 @@ class ExploredPart:
 
     def _read(self, path: Path) -> bool:
         """Read the lines of an earlier exploration. Return whether it was the same one."""
-        first, *lines = map(_line, read_content(path).raw.splitlines() or [b""])
+        raw = read_content(path).raw
+        if not raw:
+            return False
+        first, *lines = map(_line, raw.splitlines())
+        if set(first) != {"head"}:
+            raise UsageError(
+                f"{path} exists and is not what an exploration has kept",
+                advice="Move it away, or write to another file.",
+            )
         if first != {"head": self._head}:
             return False
         for line in lines:

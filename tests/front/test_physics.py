@@ -160,6 +160,17 @@ def test_an_exploration_that_was_broken_off_goes_on(
     assert table_of(told.generated.blueprint) == whole
 
 
+@pytest.mark.parametrize("raw", [b"my notes\n", b"\n", b'{"SB": {}}'])
+def test_a_file_of_somebody_else_stays_where_an_exploration_would_keep_its_part(
+    paths: tuple[Path, ...], tmp_path: Path, raw: bytes
+) -> None:
+    part = tmp_path / "found.json.part"
+    part.write_bytes(raw)
+    with pytest.raises(UsageError, match="is not what an exploration has kept"):
+        generate_explore(blueprint_of(BOARD), "switches", plugin_paths=paths, part=part)
+    assert part.read_bytes() == raw
+
+
 def test_operations_that_recover_are_not_tried(paths: tuple[Path, ...]) -> None:
     loaded = known_world("switches", paths)
     assert loaded is not None
