@@ -23,6 +23,8 @@ if TYPE_CHECKING:
 
 PAGE = "rules"
 KINDS = "Rules (*.toml);;All files (*)"
+BY_RULES = "Rules and examples"
+"""The submenu with all that makes or completes a drawing by rules."""
 
 
 class RulesFeature(Feature):
@@ -38,9 +40,11 @@ class RulesFeature(Feature):
         """The rows of the menus File and Blueprint."""
         return (
             Action("rules_page", "Rules", self.show, "Blueprint", "", (), section=4,
+                   inner=BY_RULES,
                    tip="Write rules, and see which states and operations they give"),
             Action("complete_drawing", "Complete from examples", self.complete, "Blueprint", "", (),
-                   section=4, tip="Suggest what is missing or odd by the drawing's own rules"),
+                   section=4, inner=BY_RULES,
+                   tip="Suggest what is missing or odd by the drawing's own rules"),
             Action("open_rules", "Open rules…", self.open, "File", "", (), section=1,
                    tip="Open a file of rules on the page Rules"),
         )  # fmt: skip
