@@ -19,7 +19,7 @@ from smsl_studio.inspection.approval.known_keys import name_of
 from smsl_studio.inspection.approval.times import written_time
 from smsl_studio.seal.chain import Chain
 from smsl_studio.smsl.inputs import read_ordinary
-from tests.approval import NOON, written_policy
+from tests.approval import NOON, PASSPHRASE, written_policy
 from tests.cli.people import Desk
 
 
@@ -204,6 +204,8 @@ def test_of_two_first_signatures_at_the_same_moment_one_is_refused(
     def meanwhile(*given: Any) -> Any:
         if not statuses:
             statuses.append(-1)
+            # The command that waits has taken the passphrase out of the environment.
+            monkeypatch.setenv("SMSL_PASSPHRASE", PASSPHRASE)
             statuses[0] = desk.approve("ben", "--verdict", "rejected").status
         return whole_check(*given)
 

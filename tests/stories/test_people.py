@@ -314,6 +314,7 @@ def test_enter_after_a_letter_never_changes_the_answer_that_it_chose(sit: Sit) -
     room.until_asked("Is the head fixed in the clamp?")
     for one in (NURSE, SURGEON):
         room.person.windows.persons.put(one)
+    room.card.answer.who.ask_again()
     answers = room.card.answers
     first, second = answers.rows[:2]
     assert room.card.answer.who.person is None

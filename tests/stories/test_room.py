@@ -81,7 +81,7 @@ def room(sit: Sit, site: TlsSite, eye: Voice, clamp: Voice) -> AtRoom:
     run.person.press(Qt.Key.Key_F5)
     run.until_phase("Ready")
     at = AtRoom(run)
-    assert at.pages.names == ("One run", "Monitor")
+    assert at.pages.names == ("One run", "Campaign", "Monitor")
     at.pages.show_page("Monitor")
     run.person.click(run.person.window.features.monitor.inside().buttons["Room"])
     at.until_standing("eye", FRESH)

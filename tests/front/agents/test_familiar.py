@@ -56,8 +56,10 @@ USUAL = (10, "4.0")
 
 
 def run(folder: Path, waits: int, force: str, supervisor: str = "", log: str = "") -> Run:
-    plugin = folder / "clamp"
-    plugin.mkdir(exist_ok=True)
+    # A folder for each text: Python takes a file of the same length and second for unchanged.
+    plugins = folder / f"{waits} {force}"
+    plugin = plugins / "clamp"
+    plugin.mkdir(parents=True, exist_ok=True)
     (plugin / "plugin.toml").write_text('name = "clamp"\n', encoding="utf-8")
     (plugin / "plugin.py").write_text(PLUGIN % (waits, force), encoding="utf-8")
     file = folder / "clamp.json"
@@ -66,7 +68,7 @@ def run(folder: Path, waits: int, force: str, supervisor: str = "", log: str = "
     return front.run(
         front.read(file),
         "clamp",
-        plugin_paths=[folder],
+        plugin_paths=[plugins],
         host="local",
         log=folder / "known" / log if log else None,
         supervisor=supervisor or None,

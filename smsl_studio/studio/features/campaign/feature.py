@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable
+from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -17,13 +18,13 @@ from smsl_studio.studio.base.file_dialogs import ask_to_save
 from smsl_studio.studio.base.late_part import LatePart
 from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.base.words import counted
-from smsl_studio.studio.features.campaign.choice import CampaignChoice, CampaignOffer
 from smsl_studio.studio.running.window_parts import WindowParts
 
 if TYPE_CHECKING:
     from smsl_studio.front.campaign_runs import RunVerdict
     from smsl_studio.front.campaign_tally import CampaignCell
     from smsl_studio.studio.features.campaign.bar import CampaignBar
+    from smsl_studio.studio.features.campaign.choice import CampaignChoice
     from smsl_studio.studio.features.campaign.page import CampaignPage
     from smsl_studio.studio.features.campaign.work import CampaignWork
 
@@ -39,8 +40,6 @@ class CampaignFeature(Feature):
     def __init__(self, parts: WindowParts, shell: Shell) -> None:
         self._parts, self._shell, self._tokens = parts, shell, parts.tokens
         self._loaded: Loaded | None = None
-        self.choice = CampaignChoice(world="", faults=("all",))
-        """What was chosen last; it stays while the window is open."""
         self.show_page: Callable[[str], None] = lambda name: None
         """Shows a page of Run by its name."""
         self.replay: Callable[[Path], None] = lambda path: None
@@ -49,6 +48,13 @@ class CampaignFeature(Feature):
         self.part = LatePart(self._make)
         self.row = LatePart(self._make_row)
         """What stands in the mode bar while the page is shown."""
+
+    @cached_property
+    def choice(self) -> CampaignChoice:
+        """What was chosen last; it stays while the window is open."""
+        from smsl_studio.studio.features.campaign.choice import CampaignChoice
+
+        return CampaignChoice(world="", faults=("all",))
 
     @property
     def page(self) -> CampaignPage:
@@ -107,6 +113,7 @@ class CampaignFeature(Feature):
 
     def new(self) -> None:
         """Ask for a campaign and begin it."""
+        from smsl_studio.studio.features.campaign.choice import CampaignOffer
         from smsl_studio.studio.features.campaign.dialog import CampaignDialog
 
         self.show()
