@@ -17,7 +17,7 @@ NARROWEST = 724
 """The smallest width of all columns (pixels); a narrower view scrolls."""
 STACKED = 420
 """The same where the previous state stands above the active one."""
-TALL = 230
+TALL = 200
 """The smallest height (pixels) in which two states stand above each other."""
 
 
