@@ -10,8 +10,8 @@ VARIABLE, NEW_VARIABLE = "SMSL_PASSPHRASE", "SMSL_NEW_PASSPHRASE"
 
 
 class Secrets:
-    """What the environment gave as passphrases. The options of one command hold it, and no module
-    does, so that it is gone when the command ends."""
+    """The passphrases that stood in the environment. Only the options of one command hold this
+    object, and no module does. So it is gone when the command ends."""
 
     def __init__(self, words: Mapping[str, str]) -> None:
         self._words = words

@@ -110,11 +110,11 @@ class CampaignTally(CampaignWatch):
         return self._places.get((edge, fault))
 
     def of_edge(self, edge: str) -> CampaignShare:
-        """Return the share of an operation, over all faults."""
+        """Return the share of one operation, with the runs of all faults added."""
         return share_of(one for one in self.cells if one.edge == edge)
 
     def of_fault(self, fault: str) -> CampaignShare:
-        """Return the share of a fault, over all operations."""
+        """Return the share of one fault, with the runs of all operations added."""
         return share_of(one for one in self.cells if one.fault == fault)
 
     def result(self, digest: str, left_out: tuple[str, ...] = ()) -> Campaign:

@@ -1,4 +1,4 @@
-"""The bar over a scene that moves the ghost of a forecast. It never moves the world."""
+"""The bar at the foot of a scene. It plays a forecast as a ghost and moves nothing in the world."""
 
 from __future__ import annotations
 

@@ -153,4 +153,4 @@ class TextPanel(QWidget):
         self.turned.emit()
 
     turned = Signal()
-    """Another form was chosen, so the lines must be shown anew."""
+    """A person chose another form of the text. The lines must be shown again in it."""

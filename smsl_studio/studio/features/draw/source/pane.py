@@ -242,7 +242,7 @@ class SourcePane(QWidget):
 
     @property
     def _salvaged(self) -> bool:
-        """Whether the graph is only what could be read of a file that was opened broken."""
+        """Whether the file was opened with faults, so that the graph shows only a part of it."""
         return self._session.broken is not None and self._session.blueprint is self._salvage
 
     def _wanted_file(self) -> str:
