@@ -102,6 +102,31 @@ def add_robot(parser: ArgumentParser) -> None:
     )
 
 
+def add_several(parser: ArgumentParser, name: str, what: str, words: str) -> None:
+    """Add an option that may be repeated."""
+    parser.add_argument(
+        name, action="append", default=[], metavar=what, help=f"{words}; may be repeated"
+    )
+
+
+def add_places(parser: ArgumentParser) -> None:
+    """Add ``--goal`` and ``--start``, each of which may be repeated."""
+    words = "where to go; one an SB (default: ACTIVATING of roots)"
+    add_several(parser, "--goal", "SB/State", words)
+    add_several(parser, "--start", "SB/State", "where to begin; one an SB (default: INITIAL)")
+
+
+def add_supervisor(parser: ArgumentParser) -> None:
+    """Add ``--supervisor NAME``, which may be repeated."""
+    add_several(
+        parser,
+        "--supervisor",
+        "NAME[:KEY=VALUE,...]",
+        "an automatic supervisor: limit, rules, familiar, forecast, or one of a plugin; the most "
+        "careful answer counts",
+    )
+
+
 def add_seed_and_host(parser: ArgumentParser) -> None:
     """Add ``--seed N`` and ``--host local|process``."""
     parser.add_argument(

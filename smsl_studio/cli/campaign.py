@@ -9,7 +9,14 @@ import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from smsl_studio.cli.arguments import ArgumentParser, add_format, add_robot, add_world
+from smsl_studio.cli.arguments import (
+    ArgumentParser,
+    add_format,
+    add_places,
+    add_robot,
+    add_supervisor,
+    add_world,
+)
 from smsl_studio.cli.blueprint_argument import read_argument
 from smsl_studio.cli.output import Output, note
 from smsl_studio.errors import UsageError
@@ -25,6 +32,8 @@ def add_arguments(parser: ArgumentParser) -> None:
     parser.add_argument("file", metavar="FILE", help="a blueprint")
     add_world(parser, required=True)
     add_robot(parser)
+    add_places(parser)
+    add_supervisor(parser)
     parser.add_argument(
         "--seeds", type=_count, required=True, metavar="N", help="the seeds 0 to N-1"
     )
@@ -54,6 +63,9 @@ def add_arguments(parser: ArgumentParser) -> None:
     )
     parser.add_argument("--report", metavar="OUT.html", help="write a page with the table, too")
     parser.add_argument(
+        "--parquet", metavar="OUT.parquet", help="write the rows as Apache Parquet, too"
+    )
+    parser.add_argument(
         "-o", "--output", required=True, metavar="OUT.json", help="the result, OUT.json"
     )
     add_format(parser)
@@ -64,6 +76,7 @@ def execute(options: argparse.Namespace, out: Output) -> int:
     goal, or there were faults and no row without them; 1: some did not."""
     from smsl_studio.front.campaign_faults import CampaignRequest
     from smsl_studio.front.campaign_page import campaign_page
+    from smsl_studio.front.campaign_parquet import as_parquet, require_parquet
     from smsl_studio.front.campaigns import campaign
     from smsl_studio.smsl.files import save_document
 
@@ -73,6 +86,8 @@ def execute(options: argparse.Namespace, out: Output) -> int:
     output = Path(options.output)
     part = output.with_name(f"{output.name}.part") if output.name else output
     _check_outputs(options, output, part)
+    if options.parquet is not None:
+        require_parquet()
     if part.exists() and not options.resume:
         note(f"{part} of an earlier campaign is not taken over; --resume would do that")
         part.unlink()
@@ -91,13 +106,18 @@ def execute(options: argparse.Namespace, out: Output) -> int:
         resume=options.resume,
         robot=options.robot,
         dask=options.dask,
+        starts=tuple(options.start),
+        goals=tuple(options.goal),
+        agents=tuple(options.supervisor),
     )
     done = campaign(request, _progress)
     told = f"{json.dumps(done.as_json(), indent=1)}\n".encode("ascii")
     save_document(told, output, made_of=read)
-    part.unlink(missing_ok=True)
     if options.report is not None:
         save_document(campaign_page(request, done).encode("utf-8"), options.report, made_of=read)
+    if options.parquet is not None:
+        save_document(as_parquet(done), options.parquet, made_of=read)
+    part.unlink(missing_ok=True)
     for name in done.left_out:
         note(f"the fault {name} is left out: its parameters are not those of an operation")
     if done.made:
@@ -116,7 +136,8 @@ def execute(options: argparse.Namespace, out: Output) -> int:
 
 def _check_outputs(options: argparse.Namespace, output: Path, part: Path) -> None:
     """Raise UsageError if a file that would be written is an input, or another output."""
-    written = [output, part, *([Path(options.report)] if options.report is not None else [])]
+    more = [Path(one) for one in (options.report, options.parquet) if one is not None]
+    written = [output, part, *more]
     for one in written:
         if one.name in ("", "-") or one.is_dir():
             raise UsageError(f"{one} cannot be written: it is no file", advice="Name a file.")
@@ -126,7 +147,7 @@ def _check_outputs(options: argparse.Namespace, output: Path, part: Path) -> Non
     if len(set(places)) < len(places):
         raise UsageError(
             "a campaign would write over its blueprint, or one file over the other",
-            advice="Name other files with -o and --report.",
+            advice="Name other files with -o, --report and --parquet.",
         )
 
 

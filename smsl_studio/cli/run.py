@@ -10,8 +10,11 @@ from typing import TYPE_CHECKING
 from smsl_studio.cli.arguments import (
     ArgumentParser,
     add_format,
+    add_places,
     add_robot,
     add_seed_and_host,
+    add_several,
+    add_supervisor,
     add_world,
     host_of,
 )
@@ -43,9 +46,8 @@ def add_arguments(parser: ArgumentParser) -> None:
     """Add the arguments of ``run``."""
     parser.add_argument("file", metavar="FILE", help="a blueprint; - is standard input")
     add_world(parser, required=True)
-    _several(parser, "--goal", "SB/State", "where to go; one an SB (default: ACTIVATING of roots)")
-    _several(parser, "--start", "SB/State", "where to begin; one an SB (default: INITIAL)")
-    _several(parser, "--avoid", "ADDRESS", "an operation not to use")
+    add_places(parser)
+    add_several(parser, "--avoid", "ADDRESS", "an operation not to use")
     add_robot(parser)
     add_seed_and_host(parser)
     parser.add_argument(
@@ -53,14 +55,7 @@ def add_arguments(parser: ArgumentParser) -> None:
         metavar="FILE",
         help="supervise it by a script: commands, chosen operations and faults at their moments",
     )
-    parser.add_argument(
-        "--supervisor",
-        action="append",
-        default=[],
-        metavar="NAME[:KEY=VALUE,...]",
-        help="an automatic supervisor: limit, rules, familiar, forecast, or one of a plugin; may "
-        "be repeated, and the most careful answer counts",
-    )
+    add_supervisor(parser)
     parser.add_argument(
         "--forecast",
         choices=("show", "ask", "hold"),
@@ -243,12 +238,6 @@ def _script(file: str | None, blueprint_file: str, blueprint: Blueprint) -> Scri
             advice="Name a file for one of them.",
         )
     return script_of(standard_input(), STDIN, blueprint)
-
-
-def _several(parser: ArgumentParser, name: str, metavar: str, words: str) -> None:
-    parser.add_argument(
-        name, action="append", default=[], metavar=metavar, help=f"{words}; may be repeated"
-    )
 
 
 def _speed(text: str) -> float | None:

@@ -11,6 +11,7 @@ import sys
 from pathlib import Path
 
 import pytest
+from pyarrow import parquet
 
 from smsl_studio.shipped import samples_dir
 from tests.cli.shell import Shell
@@ -59,6 +60,31 @@ def test_a_run_that_misses_the_goal_is_a_no(shell: Shell, tmp_path: Path) -> Non
     answer = shell("campaign", str(file), "--world", "table", "--seeds", "2", "-o", out)
     assert answer.status == 1
     assert "0 of 2 runs reached the goal" in answer.out
+
+
+def test_runs_have_start_goal_and_supervisor_and_give_parquet(
+    shell: Shell, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    out, table = tmp_path / "out.json", tmp_path / "out.parquet"
+    words = ("campaign", SMALL, "--world", "table", "--seeds", "2", "-o", str(out), "--parquet",
+             str(table), "--start", "SB1/State_ba", "--goal", "SB1/State_bb")  # fmt: skip
+    told = shell(*words, "--supervisor", "limit:risk=0.9", "--format", "json").json
+    run = ("run", SMALL, "--world", "table", *words[-4:], "--supervisor", "limit:risk=0.9")
+    lines = (shell(*run, "--seed", seed, "--format", "json").out for seed in "01")
+    each = "".join(f"{hashlib.sha256(one.encode()).hexdigest()}\n" for one in lines)
+    assert told["digest"] == hashlib.sha256(each.encode()).hexdigest()
+    read = parquet.read_table(table)
+    assert read.to_pylist() == told["rows"]
+    assert read.schema.metadata[b"digest"].decode() == told["digest"]
+    assert shell(*words, "--supervisor", "limt").status == 2
+    assert shell(*words, "--parquet", str(out)).status == 2
+    # Without the extra nothing is run.
+    monkeypatch.setitem(sys.modules, "pyarrow", None)
+    out.unlink()
+    answer = shell(*words)
+    assert answer.status == 2
+    assert "need the extra parquet" in answer.err
+    assert not out.exists()
 
 
 def test_wrong_words_are_refused(shell: Shell, tmp_path: Path) -> None:

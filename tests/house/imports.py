@@ -60,6 +60,7 @@ HOMES: dict[str, tuple[str, ...]] = {
     "pybullet_data": ("world/models.py",),
     "pybullet_utils": (BULLET,),
     "distributed": ("front/campaign_cluster.py",),
+    "pyarrow": ("front/campaign_parquet.py",),
     "mujoco": ("world/mujoco_world.py",),
     "defusedxml": ("exchange/",),
     "jinja2": ("generate/code/templates.py",),
