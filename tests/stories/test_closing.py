@@ -53,7 +53,6 @@ def gone() -> None:
 
 def held() -> tuple[int, int]:
     """How many widgets there are, and how many objects of ours."""
-    gc.unfreeze()  # the window may have set objects aside
     gc.collect()
     modules = (str(type(one).__module__) for one in gc.get_objects())
     ours = sum(module.startswith("smsl_studio.studio") for module in modules)

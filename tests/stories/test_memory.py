@@ -4,9 +4,7 @@ from __future__ import annotations
 
 import gc
 from collections import Counter
-from collections.abc import Iterator
 
-import pytest
 from PySide6.QtCore import QEvent, QObject, Qt
 from PySide6.QtWidgets import QApplication
 
@@ -36,17 +34,6 @@ def _alive(person: Person) -> Counter[str]:
     return found
 
 
-@pytest.fixture
-def thawed(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
-    """Nothing is frozen: the collector does not list what is."""
-    gc.unfreeze()
-    with monkeypatch.context() as patch:
-        patch.setattr(gc, "freeze", lambda: None)
-        yield
-    gc.freeze()
-
-
-@pytest.mark.usefixtures("thawed")
 def test_a_state_that_is_added_and_undone_leaves_nothing_behind(sit: Sit) -> None:
     person = sit(SAMPLES / "hanoi.json")
     for _ in range(3):

@@ -22,6 +22,11 @@ class _Ring:
 
 
 @pytest.fixture
+def sets_nothing_aside() -> None:
+    """Here objects are set aside, because this is what is tested."""
+
+
+@pytest.fixture
 def looks() -> Iterator[list[int]]:
     """The number of objects that each collection had to look at."""
     seen: list[int] = []
@@ -40,6 +45,8 @@ def looks() -> Iterator[list[int]]:
     yield seen
     gc.callbacks.remove(look)
     gc.unfreeze()
+    gc.collect()
+    gc.freeze()
     if enabled:
         gc.enable()
 
