@@ -143,7 +143,7 @@ class Geometry:
 
     def redraw(self, edge: int) -> None:
         """Drop the line of an edge whose layout has changed."""
-        self.dragged = True
+        self.dragged = self._seats.dragged = True
         self._lines.shapes.pop(edge, None)
         self._seats.forget(edge)
 

@@ -32,6 +32,10 @@ class LabelSeats:
         self.rects: dict[int, Rect | None] = {}
         self.sizes: dict[int, Size] = {}
         """The sizes of labels that were asked for."""
+        self.dragged = False
+        """During a drag no label stands away from its line: the search for such a place takes more
+        time than all the rest of a step, and the drop places all labels again.
+        """
         self.former: FormerLines | None = None
         """The labels before an edit, while those that it did not touch are taken over."""
         self._places: labels.LabelPlaces | None = None
@@ -116,9 +120,9 @@ class LabelSeats:
         """Return the choice of label places for these edges, whose lines are known."""
         lines = self._lines
         shapes = {edge: lines.shapes[edge] for edge in edges}
-        sizes, careful = list(map(self.size, shapes)), lines.picture.careful
+        sizes, away = list(map(self.size, shapes)), lines.picture.careful and not self.dragged
         style = lines.style
-        found = LabelChoice(shapes, sizes, self.places, style.compact, careful, self._waits)
+        found = LabelChoice(shapes, sizes, self.places, style.compact, away, self._waits)
         if not lines.picture.small:
             found.beside = self._beside
         return found

@@ -64,6 +64,7 @@ class Canvas(BranchView):
         self.zoom_changed.connect(self.overlays.show_zoom)
         self.view_moved.connect(self.overlays.view_moved)
         self.picture_changed.connect(self.overlays.picture_changed)
+        self.states_dragged.connect(self.overlays.map.update)
         self.set_tokens(tokens)
 
     # What is shown

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import NamedTuple
 
-from PySide6.QtCore import QRectF
+from PySide6.QtCore import QRectF, Signal
 
 from smsl_studio.blueprint.edge_layout import EdgeLayout
 from smsl_studio.studio.base.canvas.changed_area import PaintedParts
@@ -25,6 +25,10 @@ class _OnScreen(NamedTuple):
 class MovedStage(Stage):
     """The scene of a canvas during a drag and after it."""
 
+    states_dragged = Signal()
+    """States stand elsewhere for as long as the drag lasts. What floats over the drawing keeps its
+    place until ``picture_changed`` tells that they were dropped."""
+
     def drag_states(self, places: Mapping[int, Position]) -> None:
         """Show states at other places (scene points) during a drag."""
         sheet = self._sheet
@@ -32,6 +36,7 @@ class MovedStage(Stage):
             return
         before = self._dirty(list(places)).united(sheet.drawn.around(list(places)))
         edges = sheet.move(places)
+        sheet.geometry.prepare(edges)
         for state in places:
             item = self.pool.used.get(state)
             if item is not None:
@@ -39,7 +44,7 @@ class MovedStage(Stage):
         after = self._dirty(list(places), edges).united(sheet.drawn.around(list(places)))
         pad = MARGIN * sheet.unit
         self._repaint_dragged(before.united(after).adjusted(-pad, -pad, pad, pad))
-        self.picture_changed.emit()
+        self.states_dragged.emit()
 
     def redraw_edge(self, edge: int, layout: EdgeLayout) -> None:
         """Show the line of an edge in another way during a drag."""

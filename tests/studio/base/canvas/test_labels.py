@@ -12,6 +12,7 @@ from smsl_studio.generate.rules import hanoi
 from smsl_studio.graph.layout import place_states
 from smsl_studio.picture.curves import LineStyle, meets
 from smsl_studio.picture.geometry import Geometry
+from smsl_studio.picture.labels import AsideRect
 from smsl_studio.picture.picture import Picture
 from smsl_studio.picture.prefix import left_out
 from tests.stories.at_canvas import sample
@@ -129,3 +130,15 @@ def test_marks_of_the_sub_sb_are_classed() -> None:
         "Operation110A": "fall",
         "Operation110B": "",
     }
+
+
+def test_in_a_drag_no_name_is_led_to_its_line() -> None:
+    """The search for such places takes most of the time of a step; the drop places all again."""
+    style = LineStyle(1.9, True)
+    geometry = geometry_of(sample("registration.json"), "REGISTRATION", (46.0, 24.0), style)
+    before = [rect for rect in shown(geometry).values() if isinstance(rect, AsideRect)]
+    assert before, "a drawing in which some names are led"
+    edges = geometry.forget(range(len(geometry.picture)))
+    geometry.prepare(edges)
+    after = shown(geometry).values()
+    assert after and not [rect for rect in after if isinstance(rect, AsideRect)]
