@@ -141,4 +141,5 @@ def test_in_a_drag_no_name_is_led_to_its_line() -> None:
     edges = geometry.forget(range(len(geometry.picture)))
     geometry.prepare(edges)
     after = shown(geometry).values()
-    assert after and not [rect for rect in after if isinstance(rect, AsideRect)]
+    assert after
+    assert not [rect for rect in after if isinstance(rect, AsideRect)]
