@@ -41,6 +41,7 @@ BENCHES = (
     "edits",
     "fuzz",
     "exchange",
+    "generation",
     "learn",
     "find",
     "journal",

@@ -26,11 +26,12 @@ _FILES = {"rules": ("RULES.toml",), "pddl": ("DOMAIN", "PROBLEM"), "explore": ()
           "text": ("FILE...",), "driver": ()}  # fmt: skip
 """What stands behind each word."""
 _OPTIONS = {
+    "rules": ("limit",),
     "explore": ("world", "robot", "start", "repeats", "limit", "against"),
     "code": ("bindings", "name", "record", "licence", "check"),
     "text": TEXT_OPTIONS,
 }
-"""The options that belong to one word alone."""
+"""The options that belong to some words alone."""
 
 
 def add_arguments(parser: ArgumentParser) -> None:
@@ -61,7 +62,10 @@ def add_arguments(parser: ArgumentParser) -> None:
         "--repeats", type=_count, metavar="N", help="how often each operation must succeed (1)"
     )
     explore.add_argument(
-        "--limit", type=_count, metavar="N", help="so many states at most (default 10,000)"
+        "--limit",
+        type=_count,
+        metavar="N",
+        help="so many states at most (default 10,000; rules: 1,000,000)",
     )
     explore.add_argument("--against", metavar="FILE", help="compare the edges with a blueprint")
     code = parser.add_argument_group("code")
@@ -90,9 +94,10 @@ def execute(options: argparse.Namespace, out: Output) -> int:
             )
         advice = f"Write smsl-studio generate {options.what} {' '.join(wanted)} -o OUT.json."
         raise UsageError(f"generate {options.what} takes {takes}", advice=advice)
+    own = _OPTIONS.get(options.what, ())
     for what, names in _OPTIONS.items():
-        odd = next((name for name in names if getattr(options, name)), None)
-        if odd is not None and what != options.what:
+        odd = next((name for name in names if getattr(options, name) and name not in own), None)
+        if odd is not None:
             raise UsageError(
                 f"--{odd.replace('_', '-')} is for {what} alone",
                 advice=f"Write: generate {what} ...",
@@ -106,14 +111,21 @@ def execute(options: argparse.Namespace, out: Output) -> int:
     if options.what == "driver":
         return _driver(options, out)
     from smsl_studio.front.generated import generate_pddl, generate_rules
+    from smsl_studio.generate.rule_states import MOST_STATES
 
-    made = (generate_rules if options.what == "rules" else generate_pddl)(*options.files)
+    if options.what == "rules":
+        made = generate_rules(options.files[0], options.limit or MOST_STATES)
+    else:
+        made = generate_pddl(*options.files)
     _save(options, made, options.files)
     _tell(options, out, made)
+    if not made.whole:
+        note(f"the rules reach more than these {made.states:,} states; what leads to others is "
+             "left out. Leave states out with 'never', or take fewer facts.")  # fmt: skip
     if not made.goal_reached:
         of = "with these rules" if options.what == "rules" else "in this problem"
         note(f"the goal cannot be reached {of}; ACTIVATING is left out")
-    return 0 if made.goal_reached else 1
+    return 0 if made.goal_reached and made.whole else 1
 
 
 def _explore(options: argparse.Namespace, out: Output) -> int:

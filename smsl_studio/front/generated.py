@@ -11,30 +11,35 @@ from typing import Any
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.blueprint.reading import read_blueprint
 from smsl_studio.generate.rule_file import read_rules
-from smsl_studio.generate.rule_states import RuledBranch, ruled_branch
+from smsl_studio.generate.rule_states import MOST_STATES, RuledBranch, ruled_branch
 from smsl_studio.seal.digest import sha256_hex
 from smsl_studio.smsl.files import read_content
 from smsl_studio.smsl.json_form import parse_json, write_json
 
 Json = Any
+PART: dict[str, Json] = {"whole": False}
+"""What ``_origin`` says of a blueprint that lacks states, because a limit was met."""
 Name = str | os.PathLike[str]
 
 
 @dataclass(frozen=True)
 class Generated:
     """A generated blueprint, its numbers of states and operations, and whether its goal can be
-    reached."""
+    reached. ``whole`` is false if there are further states, which are left out."""
 
     blueprint: Blueprint
     states: int
     operations: int
     goal_reached: bool
+    whole: bool = True
 
 
-def generate_rules(file: Name) -> Generated:
+def generate_rules(file: Name, limit: int = MOST_STATES) -> Generated:
     """Return the blueprint of a file of rules (TOML).
 
-    ReadError, with its line, for rules that cannot be read. UsageError for rules without an end.
+    Rules may lead to more states than ``limit``, or have no end. Then the first states are
+    returned, and ``_origin`` says that they are not the whole. ReadError, with its line, for rules
+    that cannot be read. UsageError for a start that is left out.
 
     >>> _ = Path("light.toml").write_text('''
     ... sb = "LIGHT"
@@ -50,9 +55,9 @@ def generate_rules(file: Name) -> Generated:
     (2, 2, True)
     """
     raw = read_content(file).raw
-    made = ruled_branch(read_rules(raw, os.fspath(file)))
+    made = ruled_branch(read_rules(raw, os.fspath(file)), limit)
     blueprint = ruled_blueprint(made, raw, file)
-    return Generated(blueprint, made.states, made.operations, made.goal_reached)
+    return Generated(blueprint, made.states, made.operations, made.goal_reached, made.whole)
 
 
 def ruled_blueprint(made: RuledBranch, raw: bytes, file: Name, name: Name = "") -> Blueprint:
@@ -60,7 +65,8 @@ def ruled_blueprint(made: RuledBranch, raw: bytes, file: Name, name: Name = "") 
     is the file of the blueprint; without it that of the rules."""
     names = {str(digit): {"name": fact} for digit, fact in enumerate(made.facts)}
     values = {branch: {"_facts": names, **table} for branch, table in made.values.items()}
-    return _blueprint(values, _origin("rules", [file], sha256_hex(raw)), name or file)
+    origin = _origin("rules", [file], sha256_hex(raw))
+    return _blueprint(values, origin | PART if not made.whole else origin, name or file)
 
 
 def generate_pddl(domain: Name, problem: Name) -> Generated:
@@ -91,11 +97,11 @@ def generate_pddl(domain: Name, problem: Name) -> Generated:
     return Generated(blueprint, made.states, made.operations, made.goal_reached)
 
 
-def _origin(how: str, files: Sequence[Name], digest: str) -> dict[str, str]:
+def _origin(how: str, files: Sequence[Name], digest: str) -> dict[str, Json]:
     """Return how something was made, from which files, and the SHA-256 of their bytes."""
     return {"how": how, "from": ", ".join(Path(one).name for one in files), "digest": digest}
 
 
-def _blueprint(made: dict[str, Json], origin: dict[str, str], file: Name) -> Blueprint:
+def _blueprint(made: dict[str, Json], origin: dict[str, Json], file: Name) -> Blueprint:
     text = write_json({**made, "_origin": origin})
     return read_blueprint(parse_json(text, f"{Path(file).stem}.json"))

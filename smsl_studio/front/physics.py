@@ -17,7 +17,7 @@ from smsl_studio.dispatch.dispatcher import Dispatcher
 from smsl_studio.dispatch.drive.terms import RunTerms
 from smsl_studio.errors import PlanningError, UsageError
 from smsl_studio.front.explored_part import ExploredPart, exploration_head
-from smsl_studio.front.generated import Generated
+from smsl_studio.front.generated import PART, Generated
 from smsl_studio.front.hosts import known_world, make_host, with_robot
 from smsl_studio.front.request import RunRequest
 from smsl_studio.front.single_edge import carried_out
@@ -320,10 +320,13 @@ def _generated(found: _Finding, branch: StateBranch, start: Blueprint, world: st
         for values, row in found.rows.items()
     }
     raw = write_json({one.name: dict(one.table) for one in start}).encode()
-    origin = {"how": "explore", "from": world, "digest": sha256_hex(raw)}
+    origin: dict[str, Json] = {"how": "explore", "from": world, "digest": sha256_hex(raw)}
+    if found.bound:
+        origin |= PART
     values = {branch.name: {"HEADER": header, **fields, **table}, "_origin": origin}
     blueprint = _built(values, "explored.json")
-    return Generated(blueprint, len(table), sum(map(len, table.values())), reached)
+    operations = sum(map(len, table.values()))
+    return Generated(blueprint, len(table), operations, reached, not found.bound)
 
 
 def _built(values: dict[str, Json], name: str) -> Blueprint:

@@ -50,7 +50,7 @@ def rule_draft(text: str, file: str) -> RuleDraft:
     faults: list[ReadError] = []
     try:
         rules = read_rules(raw, file, faults)
-        made = ruled_branch(rules, MOST_SHOWN, part=True)
+        made = ruled_branch(rules, MOST_SHOWN)
         name = f"{Path(file).name.partition('.')[0] or 'rules'}.json"
         blueprint = ruled_blueprint(made, raw, file, name)
         counted = left_out(rules, MOST_COMBINATIONS)

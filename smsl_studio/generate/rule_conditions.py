@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-import operator
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 
 from smsl_studio.blueprint.properties.formula import (
     AllOf,
@@ -18,18 +18,57 @@ from smsl_studio.errors import FormulaError, did_you_mean, instead_of
 from smsl_studio.generate.rule_counts import Count, without_counts
 
 Values = tuple[str, ...]
-Condition = Callable[[Values], bool]
 Alphabets = Mapping[str, Sequence[str]]
 """The values of each fact, by its name, in the order of the facts."""
 
-_SIGNS: Mapping[str, Callable[[int, int], bool]] = {
-    "=": operator.eq, "!=": operator.ne, "<": operator.lt, "<=": operator.le, ">": operator.gt,
-    ">=": operator.ge,
-}  # fmt: skip
+
+@dataclass(frozen=True, slots=True)
+class Has:
+    """A fact, by its digit, has a value, or, if not ``equal``, has another one."""
+
+    digit: int
+    value: str
+    equal: bool
+
+
+@dataclass(frozen=True, slots=True)
+class Counted:
+    """The number of facts that have a value lies between two bounds, or, if ``odd``, not."""
+
+    digits: tuple[int, ...]
+    value: str
+    low: int
+    high: int
+    odd: bool
+
+
+@dataclass(frozen=True, slots=True)
+class Not:
+    """A part does not hold."""
+
+    part: Condition
+
+
+@dataclass(frozen=True, slots=True)
+class Every:
+    """Every part holds."""
+
+    parts: tuple[Condition, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Some:
+    """A part holds."""
+
+    parts: tuple[Condition, ...]
+
+
+Condition = Has | Counted | Not | Every | Some
+"""A condition with its facts looked up. ``rule_circuit`` decides it."""
 
 
 def condition(text: str, facts: Alphabets) -> Condition:
-    """Return the function that decides a formula for the values of a state.
+    """Return a formula with its facts looked up.
 
     A fact is named by its digit, its name, or its name in double quotes. ``count(FACT, FACT, ... =
     VALUE) OP N`` compares the number of these facts that have the value. FormulaError for a formula
@@ -38,20 +77,17 @@ def condition(text: str, facts: Alphabets) -> Condition:
     plain, found = without_counts(text)
     formula = read_formula(plain)
     counts = {at: _counted(count, at, facts) for at, count in found.items()}
-    return _compiled(formula, facts, counts)
+    return _looked_up(formula, facts, counts)
 
 
-def _compiled(formula: Formula, facts: Alphabets, counts: Mapping[int, Condition]) -> Condition:
+def _looked_up(formula: Formula, facts: Alphabets, counts: Mapping[int, Condition]) -> Condition:
     match formula:
         case AllOf(parts):
-            every = [_compiled(part, facts, counts) for part in parts]
-            return lambda values: all(one(values) for one in every)
+            return Every(tuple(_looked_up(part, facts, counts) for part in parts))
         case AnyOf(parts):
-            some = [_compiled(part, facts, counts) for part in parts]
-            return lambda values: any(one(values) for one in some)
+            return Some(tuple(_looked_up(part, facts, counts) for part in parts))
         case Negation(part):
-            inner = _compiled(part, facts, counts)
-            return lambda values: not inner(values)
+            return Not(_looked_up(part, facts, counts))
         case StateTerm():
             raise FormulaError(
                 "rules know facts and no states", formula.at, "Write FACT = VALUE instead."
@@ -70,9 +106,7 @@ def _compared(digit: int, term: FactTerm, facts: Alphabets) -> Condition:
         raise FormulaError(f"there is no fact {digit}", term.at, f"There are {len(names)}, from 0.")
     value = term.value
     _check_value(names[digit], value, facts, term.at)
-    if term.equal:
-        return lambda values: values[digit] == value
-    return lambda values: values[digit] != value
+    return Has(digit, value, term.equal)
 
 
 def _counted(count: Count, at: int, facts: Alphabets) -> Condition:
@@ -88,8 +122,22 @@ def _counted(count: Count, at: int, facts: Alphabets) -> Condition:
             raise FormulaError(f"there is no fact {digit}", at, f"There are {len(names)}, from 0.")
         _check_value(names[digit], count.value, facts, at)
         digits.append(digit)
-    value, compare, number = count.value, _SIGNS[count.sign], count.number
-    return lambda values: compare(sum(values[digit] == value for digit in digits), number)
+    low, high, odd = _bounds(count.sign, count.number, len(digits))
+    return Counted(tuple(digits), count.value, low, high, odd)
+
+
+def _bounds(sign: str, number: int, most: int) -> tuple[int, int, bool]:
+    """Return between which bounds a number from 0 to ``most`` lies where a comparison holds, and
+    whether it is outside instead. An upper bound below the lower one never holds."""
+    if number > most:
+        # Whatever the exact number, it is never reached.
+        number = most + 1
+    if sign in ("=", "!="):
+        return number, number, sign == "!="
+    if sign in ("<", "<="):
+        # Nothing is below 0, so the bounds are turned round.
+        return number + (sign == "<="), most, True
+    return number + (sign == ">"), most, False
 
 
 def _digit(name: str, facts: Alphabets, at: int) -> int:

@@ -39,17 +39,11 @@ _SHOWN = 200
 
 @dataclass(frozen=True, slots=True)
 class RuleCase:
-    """What an operation changes where a condition holds: digits with their new values."""
+    """What an operation changes where a condition holds: digits with their new values. Without a
+    condition it always does."""
 
-    when: Condition
+    when: Condition | None
     change: tuple[tuple[int, str], ...]
-
-    def after(self, values: Values) -> Values:
-        """Return the values after the operation."""
-        found = list(values)
-        for digit, value in self.change:
-            found[digit] = value
-        return tuple(found)
 
 
 @dataclass(frozen=True, slots=True)
@@ -233,7 +227,7 @@ class _RuleFile:
             raise self._fault(f"a case of the rule {pattern} has no 'set'", pattern, _CASES)
         self._members(case, {"when", "set"}, f"a case of the rule {pattern}", pattern)
         when = case.get("when")
-        holds = _always if when is None else self._condition(when, facts, given, pattern)
+        holds = None if when is None else self._condition(when, facts, given, pattern)
         names = list(facts)
         change: dict[int, str] = {}
         for key, value in case["set"].items():
@@ -334,10 +328,6 @@ class _RuleFile:
 _FACTS = 'Write facts = [{name = "disk 1", values = ["a", "b"]}].'
 _CASES = 'Write cases = [{when = "a = 0", set = {a = "1"}}].'
 _FOR = 'Write for = {x = ["a", "b"]}.'
-
-
-def _always(_values: Values) -> bool:
-    return True
 
 
 def _short(text: str) -> str:

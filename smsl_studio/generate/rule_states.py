@@ -2,20 +2,26 @@
 
 from __future__ import annotations
 
-from collections import deque
-from dataclasses import dataclass
-from itertools import product
+import itertools
+from collections import defaultdict
+from collections.abc import Iterator
+from dataclasses import dataclass, field
 from math import prod
 from typing import Any
 
+import numpy as np
+
 from smsl_studio.errors import UsageError
-from smsl_studio.generate.rule_conditions import Values
+from smsl_studio.generate.rule_circuit import RuleCircuit, bits, every_state
 from smsl_studio.generate.rule_file import RuleSet
+from smsl_studio.generate.rule_steps import RuleSteps
 from smsl_studio.stop import heed
 
 Json = Any
 MOST_STATES = 1_000_000
-"""The largest number of states that rules may reach."""
+"""So many states are followed at most."""
+MOST_EDGES = 5_000_000
+"""No further states are followed once there are so many operations."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -32,53 +38,84 @@ class RuledBranch:
     facts: tuple[str, ...] = ()
 
 
-def ruled_branch(rules: RuleSet, limit: int = MOST_STATES, part: bool = False) -> RuledBranch:
+def ruled_branch(rules: RuleSet, limit: int = MOST_STATES) -> RuledBranch:
     """Return the branch of some rules. Operations stand in the order of the rules.
 
-    UsageError if the start is one of the states that are left out, or if there are more than
-    ``limit`` states. With ``part`` the first ``limit`` states are returned then, and the operations
-    between them.
+    If there are more than ``limit`` states or ``MOST_EDGES`` operations, the first states are
+    returned, and the operations between them. UsageError if the start is one of the states that are
+    left out.
     """
-    never = [holds for _, holds in rules.never]
-    if any(one(rules.start) for one in never):
+    steps = RuleSteps(rules)
+    first = steps.packed(rules.start)
+    if steps.left_out(first):
         raise UsageError("the start is a state that 'never' leaves out")
-    start = _name(rules.start)
-    table: dict[str, dict[str, str]] = {start: {}}
-    queue = deque([rules.start])
-    edges, whole = 0, True
-    while queue:
-        heed()
-        values = queue.popleft()
-        own = table[_name(values)]
-        for operation in rules.operations:
-            case = next((case for case in operation.cases if case.when(values)), None)
-            if case is None:
-                continue
-            after = case.after(values)
-            if any(one(after) for one in never):
-                continue
-            target = _name(after)
-            if target not in table:
-                if len(table) >= limit and part:
-                    whole = False
-                    continue
-                if len(table) >= limit:
-                    raise UsageError(
-                        f"the rules reach more than {limit:,} states",
-                        advice="Leave states out with 'never', or take fewer facts.",
-                    )
-                table[target] = {}
-                queue.append(after)
-            own[operation.name] = target
-            edges += 1
-    goal = None if rules.goal is None else _name(rules.goal)
-    header: dict[str, Json] = {"INITIAL": start}
+    found = _searched(steps, first, limit)
+    names = [f"State_{values}" for values in steps.names(found.keys)]
+    table = dict(zip(names, found.rows(names), strict=True))
+    goal = None if rules.goal is None else f"State_{''.join(rules.goal)}"
+    header: dict[str, Json] = {"INITIAL": names[0]}
     if goal in table:
         header["ACTIVATING"] = goal
     header |= {"NUM_FACTS": len(rules.facts), "NUM_STATES": len(table)}
     values_of = {rules.branch: {"HEADER": header, **table}}
     reached = goal is None or goal in table
-    return RuledBranch(values_of, len(table), edges, reached, whole, tuple(rules.facts))
+    edges = len(found.operations)
+    return RuledBranch(values_of, len(table), edges, reached, found.whole, tuple(rules.facts))
+
+
+@dataclass(slots=True)
+class _Search:
+    """Packed states in the order in which they are found, and the operations of all states, one
+    state after the other. ``targets`` are numbers of states, ``ends`` has the number of all
+    operations up to the end of each state."""
+
+    keys: list[bytes]
+    ends: list[int] = field(default_factory=list)
+    operations: list[str] = field(default_factory=list)
+    targets: list[int] = field(default_factory=list)
+    whole: bool = True
+
+    def rows(self, names: list[str]) -> Iterator[dict[str, str]]:
+        """Give the operations of each state with the names of their targets."""
+        targets = list(map(names.__getitem__, self.targets))
+        begin = 0
+        for end in self.ends:
+            yield dict(zip(self.operations[begin:end], targets[begin:end], strict=True))
+            begin = end
+
+    def within(self, limit: int) -> _Search:
+        """Return the first states, and the operations between them."""
+        found = _Search(self.keys[:limit], whole=False)
+        begin = 0
+        for end in self.ends[:limit]:
+            for at in range(begin, end):
+                if self.targets[at] < limit:
+                    found.operations.append(self.operations[at])
+                    found.targets.append(self.targets[at])
+            found.ends.append(len(found.targets))
+            begin = end
+        return found
+
+
+def _searched(steps: RuleSteps, first: bytes, limit: int) -> _Search:
+    """Follow all operations from the first state on, breadth first, as many states at once as are
+    known."""
+    # Each key that is asked for the first time gets the next number.
+    numbers: defaultdict[bytes, int] = defaultdict(itertools.count().__next__)
+    found = _Search([first])
+    assert numbers[first] == 0
+    while len(found.ends) < min(len(found.keys), limit):
+        for part in steps.rows(found.keys[len(found.ends) : limit]):
+            heed()
+            before = len(found.operations)
+            found.operations += part.operations
+            found.targets += map(numbers.__getitem__, part.targets)
+            found.ends += [before + end for end in part.ends]
+            new = len(numbers) - len(found.keys)
+            found.keys += [*itertools.islice(reversed(numbers), new)][::-1]
+            if len(found.operations) > MOST_EDGES:
+                return found.within(min(limit, len(found.ends)))
+    return found if len(found.keys) <= limit else found.within(limit)
 
 
 def left_out(rules: RuleSet, most: int) -> tuple[int, ...] | None:
@@ -87,13 +124,9 @@ def left_out(rules: RuleSet, most: int) -> tuple[int, ...] | None:
     alphabets = list(rules.facts.values())
     if prod(map(len, alphabets)) > most:
         return None
-    counts = [0] * len(rules.never)
-    for values in product(*alphabets):
-        heed()
-        for number, (_, holds) in enumerate(rules.never):
-            counts[number] += holds(values)
-    return tuple(counts)
-
-
-def _name(values: Values) -> str:
-    return "State_" + "".join(values)
+    circuit = RuleCircuit(rules.facts, [one for _, one in rules.never])
+    states = every_state(rules.facts)
+    counts = np.zeros(len(rules.never), np.int64)
+    for at, holds in circuit.holding(states):
+        counts += bits(holds, len(states) - at).sum(axis=1)
+    return tuple(counts.tolist())

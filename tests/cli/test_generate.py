@@ -44,6 +44,21 @@ def test_a_goal_out_of_reach_is_a_no(shell: Shell, tmp_path: Path) -> None:
     assert out.exists()
 
 
+def test_a_bound_keeps_what_was_reached(shell: Shell, tmp_path: Path) -> None:
+    out = tmp_path / "river.json"
+    words = ("generate", "rules", RIVER, "-o", str(out), "--limit")
+    answer = shell(*words, "7", "--format", "json")
+    assert answer.status == 1
+    assert answer.json["states"] == 7
+    assert "the rules reach more than these 7 states" in answer.err
+    kept = smsl.read(out)
+    assert kept.fields["_origin"]["whole"] is False
+    assert kept.operation_count == answer.json["operations"] > 0
+    assert shell(*words, "40").status == 0
+    assert "whole" not in smsl.read(out).fields["_origin"]
+    assert shell("generate", "pddl", "a", "b", "-o", str(out), "--limit", "3").status == 2
+
+
 def test_wrong_rules_have_a_place(shell: Shell, tmp_path: Path) -> None:
     file = tmp_path / "wrong.toml"
     file.write_text("facts = 3\n")

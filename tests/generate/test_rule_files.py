@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+import json
 import random
 
 import pytest
@@ -10,7 +11,8 @@ import pytest
 import smsl_studio as smsl
 from benches.layouts.procedures import chess, river
 from smsl_studio.errors import ReadError, UsageError
-from smsl_studio.generate.rule_conditions import condition
+from smsl_studio.generate.rule_circuit import RuleCircuit, bits, every_state
+from smsl_studio.generate.rule_conditions import Alphabets, condition
 from smsl_studio.generate.rule_file import read_rules
 from smsl_studio.generate.rule_states import ruled_branch
 from smsl_studio.shipped import samples_dir
@@ -171,8 +173,12 @@ def test_rules_without_an_end_are_bounded() -> None:
     text = f"facts = [{facts}]\nstart = {['0'] * 40}\n"
     for n in range(40):
         text += f'[[rule]]\noperation = "o{n}"\ncases = [{{set = {{f{n} = "1"}}}}]\n'
-    with pytest.raises(UsageError, match="more than 5,000 states"):
-        ruled_branch(read_rules(text.encode(), "rules.toml"), limit=5_000)
+    made = ruled_branch(read_rules(text.encode(), "rules.toml"), limit=5_000)
+    assert (made.states, made.whole) == (5_000, False)
+    rows = {name: row for name, row in made.values["SB1"].items() if name != "HEADER"}
+    assert {target for row in rows.values() for target in row.values()} <= set(rows)
+    assert made.operations == sum(map(len, rows.values()))
+    assert made.operations > 5_000
 
 
 def test_a_start_that_is_left_out_is_refused() -> None:
@@ -183,42 +189,141 @@ def test_a_start_that_is_left_out_is_refused() -> None:
 FACTS = {"a": ("0", "1", "2"), "b c": ("0", "1", "2"), "d": ("0", "1", "2")}
 
 
+def holding(text: str, facts: Alphabets) -> list[bool]:
+    """Whether a condition holds in each combination of values, the last fact changing first."""
+    states = every_state(facts)
+    circuit = RuleCircuit(facts, [condition(text, facts)])
+    found = [bits(words, len(states) - at)[0] for at, words in circuit.holding(states)]
+    return [truth for part in found for truth in part.tolist()]
+
+
 def test_counts_are_taken_out_of_quotes_alone() -> None:
     facts = {"count(a = 1) > 0": ("0", "1"), "it's, (a)": ("0", "1"), "a": ("0", "1")}
-    named = condition('"count(a = 1) > 0" = 1', facts)
-    counted = condition("not count('it''s, (a)', \"it's, (a)\", 2 = '1') >= 2", facts)
-    for values in itertools.product("01", repeat=3):
-        assert named(values) == (values[0] == "1")
-        assert counted(values) == (values[1] == "0")
+    named = holding('"count(a = 1) > 0" = 1', facts)
+    counted = holding("not count('it''s, (a)', \"it's, (a)\", 2 = '1') >= 2", facts)
+    states = list(itertools.product("01", repeat=3))
+    assert named == [values[0] == "1" for values in states]
+    assert counted == [values[1] == "0" for values in states]
+
+
+def some_condition(chance: random.Random, depth: int) -> tuple[str, str]:
+    """A random condition about ``FACTS``, and the same in Python about values ``v``."""
+    kind = chance.randrange(6 if depth else 3)
+    if kind < 2:
+        digit, value = chance.randrange(3), chance.choice("012")
+        name = chance.choice([["a", '"b c"', "d"][digit], str(digit)])
+        sign = chance.choice(["=", "!="])
+        return f"{name} {sign} {value}", f"v[{digit}] {'==' if sign == '=' else sign} '{value}'"
+    if kind == 2:
+        value, number = chance.choice("012"), chance.randrange(5)
+        sign = chance.choice(["=", "!=", "<", "<=", ">", ">="])
+        python = "==" if sign == "=" else sign
+        return (
+            f"count(a, 'b c', d = {value}) {sign} {number}",
+            f"v.count('{value}') {python} {number}",
+        )
+    one, other = some_condition(chance, depth - 1), some_condition(chance, depth - 1)
+    if kind == 3:
+        return f"not ({one[0]})", f"(not ({one[1]}))"
+    word = "and" if kind == 4 else "or"
+    return f"({one[0]}) {word} ({other[0]})", f"(({one[1]}) {word} ({other[1]}))"
 
 
 def test_conditions_agree_with_python() -> None:
     """Random conditions against the same words in Python."""
     chance = random.Random(5)
-
-    def some(depth: int) -> tuple[str, str]:
-        kind = chance.randrange(6 if depth else 3)
-        if kind < 2:
-            digit, value = chance.randrange(3), chance.choice("012")
-            name = chance.choice([["a", '"b c"', "d"][digit], str(digit)])
-            sign = chance.choice(["=", "!="])
-            return f"{name} {sign} {value}", f"v[{digit}] {'==' if sign == '=' else sign} '{value}'"
-        if kind == 2:
-            value, number = chance.choice("012"), chance.randrange(4)
-            sign = chance.choice(["=", "!=", "<", "<=", ">", ">="])
-            python = "==" if sign == "=" else sign
-            return (
-                f"count(a, 'b c', d = {value}) {sign} {number}",
-                f"v.count('{value}') {python} {number}",
-            )
-        one, other = some(depth - 1), some(depth - 1)
-        if kind == 3:
-            return f"not ({one[0]})", f"(not ({one[1]}))"
-        word = "and" if kind == 4 else "or"
-        return f"({one[0]}) {word} ({other[0]})", f"(({one[1]}) {word} ({other[1]}))"
-
     for _ in range(200):
-        text, python = some(3)
-        holds = condition(text, FACTS)
-        for values in itertools.product("012", repeat=3):
-            assert holds(values) == eval(python, {"v": values}), text
+        text, python = some_condition(chance, 3)
+        states = itertools.product("012", repeat=3)
+        assert holding(text, FACTS) == [eval(python, {"v": v}) for v in states], text
+
+
+PlainCase = tuple[str, int, str]
+"""A condition in Python, a digit, and its new value."""
+
+
+def plainly_followed(
+    start: tuple[str, ...], cases: list[list[PlainCase]], never: str
+) -> dict[str, dict[str, str]]:
+    """A plain search. Operation ``o3`` has the cases 3."""
+    table: dict[str, dict[str, str]] = {}
+    queue, known = [start], {start}
+    for v in queue:
+        own = table["State_" + "".join(v)] = {}
+        for number, some in enumerate(cases):
+            first = next((one for one in some if eval(one[0], {"v": v})), None)
+            if first is None:
+                continue
+            _, digit, value = first
+            after = (*v[:digit], value, *v[digit + 1 :])
+            if eval(never, {"v": after}):
+                continue
+            own[f"o{number}"] = "State_" + "".join(after)
+            if after not in known:
+                known.add(after)
+                queue.append(after)
+    return table
+
+
+def random_rules(
+    chance: random.Random, start: tuple[str, ...], never: str
+) -> tuple[str, list[list[PlainCase]]]:
+    """A file of rules, and its cases in Python."""
+    facts = ", ".join(f"{{name = '{name}', values = ['0', '1', '2']}}" for name in FACTS)
+    text = f"facts = [{facts}]\nstart = {list(start)}\nnever = {json.dumps([never])}\n"
+    cases: list[list[PlainCase]] = []
+    for number in range(chance.randrange(1, 6)):
+        own: list[str] = []
+        cases.append([])
+        for _ in range(chance.randrange(1, 4)):
+            when, python = some_condition(chance, 2)
+            digit, value = chance.randrange(3), chance.choice("012")
+            change = f"{{'{list(FACTS)[digit]}' = '{value}'}}"
+            own.append(f"{{when = {json.dumps(when)}, set = {change}}}")
+            cases[-1].append((python, digit, value))
+        text += f"[[rule]]\noperation = 'o{number}'\ncases = [{', '.join(own)}]\n"
+    return text, cases
+
+
+def test_random_rules_are_followed_as_a_plain_search_does() -> None:
+    """States and operations are the same, and stand in the same order."""
+    chance = random.Random(11)
+    reached = set()
+    for _ in range(60):
+        never, python = some_condition(chance, 1)
+        start = tuple(chance.choice("012") for _ in range(3))
+        if eval(python, {"v": start}):
+            continue
+        text, cases = random_rules(chance, start, never)
+        rows = ruled_branch(read_rules(text.encode(), "rules.toml")).values["SB1"]
+        del rows["HEADER"]
+        expected = plainly_followed(start, cases, python)
+        assert [(one, list(row.items())) for one, row in rows.items()] == [
+            (one, list(row.items())) for one, row in expected.items()
+        ], text
+        reached.add(len(rows))
+    assert len(reached) > 5, "small and large ones"
+
+
+def test_facts_with_many_values_and_many_facts_are_followed() -> None:
+    """300 values do not fit into a byte, and 70 facts not into a number of 64 bits. A null
+    character may end a value."""
+    values = [f"{number:03}" for number in range(299)] + ["zz\0"]
+    cases = [
+        f'{{when = "n = {one}", set = {{n = {json.dumps(after)}}}}}'
+        for one, after in itertools.pairwise(values)
+    ]
+    text = f"facts = [{{name = 'n', values = {json.dumps(values)}}}]\nstart = ['290']\n"
+    text += f'[[rule]]\noperation = "up"\ncases = [{", ".join(cases)}]\n'
+    rows = ruled_branch(read_rules(text.encode(), "rules.toml")).values["SB1"]
+    assert len(rows) == 11
+    assert (rows["State_298"], rows["State_zz\0"]) == ({"up": "State_zz\0"}, {})
+    facts = ", ".join(f"{{name = 'f{n}', values = ['0', '1']}}" for n in range(70))
+    text = f"facts = [{facts}]\nstart = {['0'] * 70}\n"
+    for n in range(70):
+        before = f"f{n - 1} = 1 and " if n else ""
+        text += f'[[rule]]\noperation = "o{n}"\n'
+        text += f'cases = [{{when = "{before}f{n} = 0", set = {{f{n} = "1"}}}}]\n'
+    made = ruled_branch(read_rules(text.encode(), "rules.toml"))
+    assert (made.states, made.operations) == (71, 70)
+    assert f"State_{'1' * 70}" in made.values["SB1"]

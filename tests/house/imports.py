@@ -70,7 +70,7 @@ HOMES: dict[str, tuple[str, ...]] = {
     "paho": ("monitor/mqtt.py",),
     "cryptography": ("seal/",),
     "pkcs11": ("seal/",),
-    "numpy": ("graph/", "world/", "picture/", "studio/"),
+    "numpy": ("graph/", "world/", "picture/", "studio/", "generate/rule_"),
     "pydantic": ("",),
     "annotated_types": ("blueprint/",),
     "orjson": ("smsl/",),

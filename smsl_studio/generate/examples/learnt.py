@@ -80,6 +80,8 @@ def _name(table: ExampleTable, values: Values | None) -> str | None:
 def _must_regenerate(text: str, table: ExampleTable) -> None:
     """Read the rules again and follow them. They must give the edges of the table."""
     made = ruled_branch(read_rules(text.encode(), "rules"), limit=len(table.names))
+    if not made.whole:
+        raise PlanningError("the rules that were found lead to further states")
     rows = made.values[table.branch]
     names = {"State_" + "".join(values): values for values in table.names}
     for state, row in rows.items():
