@@ -18,10 +18,10 @@ from smsl_studio.generate.rule_conditions import (
     Alphabets,
     Condition,
     Counted,
-    Every,
+    EveryPart,
     Has,
     Not,
-    Some,
+    SomePart,
 )
 from smsl_studio.stop import heed
 
@@ -132,9 +132,9 @@ class RuleCircuit:
                 return self._numbered((digit, code, equal), 0)
             case Not(part):
                 return self._gate("none", [part])
-            case Every(parts):
+            case EveryPart(parts):
                 return self._gate("all", parts)
-            case Some(parts):
+            case SomePart(parts):
                 return self._gate("one", parts)
             case Counted(digits, value, low, high, odd):
                 parts = tuple(Has(digit, value, True) for digit in digits)

@@ -50,20 +50,20 @@ class Not:
 
 
 @dataclass(frozen=True, slots=True)
-class Every:
-    """Every part holds."""
+class EveryPart:
+    """EveryPart part holds."""
 
     parts: tuple[Condition, ...]
 
 
 @dataclass(frozen=True, slots=True)
-class Some:
+class SomePart:
     """A part holds."""
 
     parts: tuple[Condition, ...]
 
 
-Condition = Has | Counted | Not | Every | Some
+Condition = Has | Counted | Not | EveryPart | SomePart
 """A condition with its facts looked up. ``rule_circuit`` decides it."""
 
 
@@ -83,9 +83,9 @@ def condition(text: str, facts: Alphabets) -> Condition:
 def _looked_up(formula: Formula, facts: Alphabets, counts: Mapping[int, Condition]) -> Condition:
     match formula:
         case AllOf(parts):
-            return Every(tuple(_looked_up(part, facts, counts) for part in parts))
+            return EveryPart(tuple(_looked_up(part, facts, counts) for part in parts))
         case AnyOf(parts):
-            return Some(tuple(_looked_up(part, facts, counts) for part in parts))
+            return SomePart(tuple(_looked_up(part, facts, counts) for part in parts))
         case Negation(part):
             return Not(_looked_up(part, facts, counts))
         case StateTerm():

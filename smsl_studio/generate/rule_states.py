@@ -64,7 +64,7 @@ def ruled_branch(rules: RuleSet, limit: int = MOST_STATES) -> RuledBranch:
 
 
 @dataclass(slots=True)
-class _Search:
+class _StatesFound:
     """Packed states in the order in which they are found, and the operations of all states, one
     state after the other. ``targets`` are numbers of states, ``ends`` has the number of all
     operations up to the end of each state."""
@@ -83,9 +83,9 @@ class _Search:
             yield dict(zip(self.operations[begin:end], targets[begin:end], strict=True))
             begin = end
 
-    def within(self, limit: int) -> _Search:
+    def within(self, limit: int) -> _StatesFound:
         """Return the first states, and the operations between them."""
-        found = _Search(self.keys[:limit], whole=False)
+        found = _StatesFound(self.keys[:limit], whole=False)
         begin = 0
         for end in self.ends[:limit]:
             for at in range(begin, end):
@@ -97,12 +97,12 @@ class _Search:
         return found
 
 
-def _searched(steps: RuleSteps, first: bytes, limit: int) -> _Search:
+def _searched(steps: RuleSteps, first: bytes, limit: int) -> _StatesFound:
     """Follow all operations from the first state on, breadth first, as many states at once as are
     known."""
     # Each key that is asked for the first time gets the next number.
     numbers: defaultdict[bytes, int] = defaultdict(itertools.count().__next__)
-    found = _Search([first])
+    found = _StatesFound([first])
     assert numbers[first] == 0
     while len(found.ends) < min(len(found.keys), limit):
         for part in steps.rows(found.keys[len(found.ends) : limit]):

@@ -42,20 +42,20 @@ class StepRows:
 
 
 @dataclass(frozen=True, slots=True)
-class _Steps:
+class _StepArrays:
     """The same as arrays. ``operations`` are numbers."""
 
     ends: NDArray[np.int64]
     operations: NDArray[np.int64]
     targets: NDArray[np.bytes_]
 
-    def of(self, states: NDArray[np.int64]) -> _Steps:
+    def of(self, states: NDArray[np.int64]) -> _StepArrays:
         """Return the steps of some of the states."""
         begins = np.concatenate(([0], self.ends))[states]
         counts = self.ends[states] - begins
         ends = np.cumsum(counts)
         steps = np.arange(counts.sum()) + np.repeat(begins - ends + counts, counts)
-        return _Steps(ends, self.operations[steps], self.targets[steps])
+        return _StepArrays(ends, self.operations[steps], self.targets[steps])
 
 
 class RuleSteps:
@@ -80,7 +80,7 @@ class RuleSteps:
         self._names = np.array([one.name for one in rules.operations], object)
         self._sizes = [len(own) for own in self._alphabets]
         self._followed = 0
-        self._ahead: _Steps | None = None
+        self._ahead: _StepArrays | None = None
 
     def packed(self, values: Values) -> bytes:
         """Return the key of a state."""
@@ -120,11 +120,11 @@ class RuleSteps:
         size = prod(self._sizes)
         return size <= _MOST_AHEAD and size <= _SHARE * self._followed
 
-    def _all(self) -> _Steps:
+    def _all(self) -> _StepArrays:
         """Return the steps of all combinations of values."""
         parts = list(self._some(every_state(self._facts)))
         counts = np.cumsum([0, *(len(one.operations) for one in parts[:-1])])
-        return _Steps(
+        return _StepArrays(
             np.concatenate([one.ends + before for one, before in zip(parts, counts, strict=True)]),
             np.concatenate([one.operations for one in parts]),
             np.concatenate([one.targets for one in parts]),
@@ -137,16 +137,16 @@ class RuleSteps:
             found = found * size + (codes[:, digit].astype(np.int64) - 1)
         return found
 
-    def _named(self, steps: _Steps) -> StepRows:
+    def _named(self, steps: _StepArrays) -> StepRows:
         names: list[str] = self._names[steps.operations].tolist()
         return StepRows(steps.ends.tolist(), names, steps.targets.tolist())
 
-    def _some(self, codes: Codes) -> Iterator[_Steps]:
+    def _some(self, codes: Codes) -> Iterator[_StepArrays]:
         """Give the steps of states, some at a time."""
         for at, holds in self._when.holding(codes):
             yield self._steps(codes[at : at + holds.shape[1] * 64], holds)
 
-    def _steps(self, codes: Codes, holds: Words) -> _Steps:
+    def _steps(self, codes: Codes, holds: Words) -> _StepArrays:
         """Return the steps of some states. ``holds`` says which case may be taken."""
         if len(self._turns) > 1:
             holds = self._first(holds)
@@ -157,7 +157,7 @@ class RuleSteps:
             kept = ~self._never_holds(targets)
             states, cases, targets = states[kept], cases[kept], targets[kept]
         ends = np.cumsum(np.bincount(states, minlength=len(codes)))
-        return _Steps(ends, self._operation[cases], self._keys(targets))
+        return _StepArrays(ends, self._operation[cases], self._keys(targets))
 
     def _first(self, holds: Words) -> Words:
         """Return which case of each operation is the first that holds."""
