@@ -33,7 +33,8 @@ class OperationCard:
     ``standing`` is one of the words above, and ``reasons`` say why the operation is not permitted.
     ``mark`` is ``rise``, ``fall``, ``mixed`` or empty. ``actor`` is ``human``, ``shared`` or
     ``robot``. ``cost`` is empty if the operation only moves a sub-SB. ``needs`` says in few words
-    what it requires. ``unmet`` is ``unknown`` or ``missing`` if this is not given now.
+    what it requires, and is empty for nothing. ``unmet`` is ``unknown`` or ``missing`` if this is
+    not given now.
     """
 
     address: Address
@@ -252,7 +253,7 @@ def _needs(
             return f"{name}: {term.reading}, not {term.wanted}", "missing"
     people = f"{len(confirm)} people" if len(confirm) > 1 else "".join(confirm).capitalize()
     said = [words for words in (people, *(name for name, _ in names)) if words]
-    return ", ".join(said) or "Nothing", ""
+    return ", ".join(said), ""
 
 
 def _fact_name(blueprint: Blueprint, term: Term) -> str:

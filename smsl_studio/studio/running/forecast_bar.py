@@ -13,7 +13,7 @@ from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.running.frames import tool
 from smsl_studio.studio.running.scene.ghost import SEEN, Ghost
 
-HIGH = 36
+HIGH = 24
 """Its height (pixels)."""
 TICKS = 1000
 """So many places the slider has."""
@@ -47,10 +47,15 @@ class ForecastBar(QFrame):
             menu.addAction(name, partial(self._see, name))
         self.seen.setMenu(menu)
         across = QHBoxLayout(self)
-        across.setContentsMargins(6, 2, 4, 2)
+        across.setContentsMargins(4, 0, 4, 0)
         across.setSpacing(8)
         for part in (self.play, label("Forecast", "small"), self.slider, self.words, self.seen):
             across.addWidget(part, int(part is self.slider))
+        # One slim line: it lies over the scene.
+        for button in (self.play, self.seen):
+            button.setFixedHeight(HIGH - 2)
+            button.setIconSize(QSize(14, 14))
+        self.slider.setFixedHeight(HIGH - 4)
         self.setFixedHeight(HIGH)
         ghost.moved.connect(self.refresh)
         self.refresh()

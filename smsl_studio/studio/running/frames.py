@@ -84,11 +84,7 @@ def laid_over(
     grid.addWidget(left, 0, 0, side.AlignTop | side.AlignLeft)
     grid.addWidget(right, 0, 0, side.AlignTop | side.AlignRight)
     if below is not None:
-        frame = QWidget()
-        around = QHBoxLayout(frame)
-        around.setContentsMargins(12, 0, 12, 10)
-        around.addWidget(below)
-        grid.addWidget(frame, 0, 0, side.AlignBottom)
+        grid.addWidget(below, 0, 0, side.AlignBottom)
     return made
 
 

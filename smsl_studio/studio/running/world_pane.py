@@ -35,6 +35,9 @@ from smsl_studio.studio.running.scene.kept_poses import KeptPoses
 from smsl_studio.studio.running.scene.world_view import WorldView
 from smsl_studio.studio.running.tiles import TilesView
 
+LEAST_SLIDER = 60
+"""So much wider than its least is the bar of a forecast, if it shall stand in one line with others
+(pixels)."""
 FAULT = "Let something go wrong, now or at a chosen moment (Ctrl+Shift+I)"
 SCRIPT = "Save what was done by hand as a script"
 
@@ -116,9 +119,13 @@ class WorldPane(QWidget):
         across.setSpacing(0)
         across.addWidget(self._trials)
         across.addWidget(self._tools)
+        foot = QWidget()
+        self._foot = QHBoxLayout(foot)
+        self._foot.setContentsMargins(12, 0, 12, 12)
+        self._foot.addWidget(self.moment)
         whole = QVBoxLayout(self)
         whole.setContentsMargins(0, 0, 0, 0)
-        whole.addWidget(laid_over(self._pages, self._words, self._buttons, self.moment))
+        whole.addWidget(laid_over(self._pages, self._words, self._buttons, foot))
         self.show_trials()
 
     @property
@@ -195,8 +202,17 @@ class WorldPane(QWidget):
             self.ghost.show(view.frames if seen and view is not None else None)
 
     def _show_ghost(self) -> None:
-        self.view.foot = BAR + 10 if self.ghost.seconds > 0 else 0
+        self._fit_foot()
         self.view.show_ghost(self.ghost.place)
+
+    def _fit_foot(self) -> None:
+        """Put the bar of the forecast beside the words of the world, and below them if they leave
+        it no room."""
+        wanted = self.moment.sizeHint().width() + LEAST_SLIDER
+        beside = round(self.view.reach) + 8
+        fits = self.width() - beside - 12 >= wanted
+        self._foot.setContentsMargins(beside if fits else 12, 0, 12, 12)
+        self.view.foot = BAR + 6 if self.ghost.seconds > 0 and not fits else 0
 
     def show_facts(self, rows: tuple[FactRow, ...]) -> None:
         """Show the facts of the run, if the world has no picture, and look ahead if it has one."""
@@ -241,6 +257,7 @@ class WorldPane(QWidget):
         """Shorten the words where the buttons begin."""
         super().resizeEvent(event)
         self._fit()
+        self._fit_foot()
 
     def _fit(self) -> None:
         self._words.setMaximumWidth(max(0, self.width() - self._buttons.sizeHint().width()))

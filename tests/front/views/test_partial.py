@@ -49,7 +49,7 @@ def test_a_card_has_risk_cost_who_acts_and_what_it_takes() -> None:
     assert view is not None
     rise, lift, turn, _ = view.cards
     assert (rise.risk, rise.cost, rise.actor, rise.needs) == ("high", "2.5", "human", "2 people")
-    assert (lift.risk, lift.cost, lift.actor, lift.needs) == ("", "1.0", "robot", "Nothing")
+    assert (lift.risk, lift.cost, lift.actor, lift.needs) == ("", "1.0", "robot", "")
     assert turn.needs == "Surgeon"
     assert view.title == "Nothing yet"
 

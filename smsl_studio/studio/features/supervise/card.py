@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 from PySide6.QtCore import QPointF, QRectF, QSize, Qt, Signal
@@ -36,6 +37,8 @@ ROOM = 160
 
 A chosen card shows it anyway, in the decision.
 """
+ACTOR = 17
+"""The width of the sign of who acts, with its gap (pixels)."""
 INSET = 3
 """Pixels around the border, for the ring of a card that is chosen or has the focus."""
 RISKS = {"low": 1, "medium": 2, "high": 3}
@@ -232,19 +235,16 @@ class CardButton(QAbstractButton):
         for at in range(3):
             filled = at < RISKS.get(self.card.risk, 0)
             _triangle(painter, left + 5 + at * 10, y, ink if filled else None, t)
-        word = self.card.risk or "not rated"
-        plain.draw_from(painter, left + 33, y, word, ink if self.card.risk else t.tx3)
-        left += 33 + max(plain.width(word), plain.width("medium")) + 8
         end = self._verdict(painter, box, y)
-        cost = f"cost {self.card.cost}" if self.card.cost else ""
-        if left + plain.width(cost) + 24 > end:
-            # A narrow card with a forecast has no room for it; the tip says it.
-            cost = ""
+        word, cost = risk_and_cost(self.card, plain.width, end - left - 33 - ACTOR)
+        rated = max(plain.width(word), plain.width("medium"))
+        plain.draw_from(painter, left + 33, y, word, ink if self.card.risk else t.tx3)
+        left += 33 + (rated + 8 if word else 0)
         plain.draw_from(painter, left, y, cost, t.tx2)
         left += max(plain.width(cost), plain.width("cost 0.0")) + 8 if cost else 0
         icon = ACTOR_ICON.get(self.card.actor, "robot")
         draw(painter, icon, QRectF(left, y - 7, 13, 13), t.tx2, t.surf)
-        left += 17
+        left += ACTOR
         words, (reason, *_) = self.card.needs, (*self.card.reasons, "")
         own = reason and not self.card.unmet and not reason.startswith(ONE_AT_A_TIME)
         if self.card.standing == REFUSED and own and box.right() - 6 - left >= ROOM:
@@ -273,6 +273,22 @@ class CardButton(QAbstractButton):
         return left - 22
 
 
+def risk_and_cost(
+    card: OperationCard, width: Callable[[str], float], room: float
+) -> tuple[str, str]:
+    """Return the words for the risk and for the cost that fit into a room (pixels) beside each
+    other. A narrow card with a forecast has no room for both; its tip says them, and triangles say
+    the risk."""
+    word, cost = card.risk or "not rated", f"cost {card.cost}" if card.cost else ""
+    rated = max(width(word), width("medium")) + 8
+    asked = max(width(cost), width("cost 0.0")) + 8 if cost else 0
+    if rated + asked <= room:
+        return word, cost
+    if asked <= room and cost:
+        return "", cost
+    return (word, "") if rated <= room else ("", "")
+
+
 def _triangle(painter: QPainter, x: float, y: float, fill: QColor | None, tokens: Tokens) -> None:
     corners = QPolygonF([QPointF(x, y - 4), QPointF(x + 4.4, y + 4), QPointF(x - 4.4, y + 4)])
     painter.setPen(QPen(fill or tokens.line2, 1))
@@ -289,7 +305,7 @@ def card_words(card: OperationCard, chosen: bool = False) -> str:
     words.append(f"risk {card.risk}" if card.risk else "risk not rated")
     words += [f"cost {card.cost}"] if card.cost else []
     words.append(ACTORS.get(card.actor, card.actor))
-    if card.needs != "Nothing":
+    if card.needs:
         words.append(f"needs {card.needs}")
     return ", ".join([*words, *card.reasons])
 
@@ -301,7 +317,7 @@ def _tip(card: OperationCard) -> str:
                  "mixed": "changes a sub-SB's fact with others"}  # fmt: skip
         lines.append(words[card.mark])
     lines += [f"Cost {card.cost}"] if card.cost else []
-    lines += [f"Needs {card.needs}"] if card.needs != "Nothing" else []
+    lines += [f"Needs {card.needs}"] if card.needs else []
     lines += card.reasons
     if card.number <= NUMBERED:
         lines.append(f"Key {card.number}, then Enter")

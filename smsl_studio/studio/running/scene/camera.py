@@ -21,7 +21,7 @@ Corner = NDArray[np.float64]
 NEAREST, FARTHEST = 0.15, 8.0
 """The least and the greatest distance (m) of a camera from its target."""
 
-HAND, SMALL_HAND, FILLED = 0.16, 0.45, (0.86, 0.78)
+HAND, SMALL_HAND, FILLED = 0.2, 0.6, (0.86, 0.78)
 """The room (m) above what a view shows, for a hand that works there: at most this share of the
 longer side of a small table. And the share of the width and of the height of a picture that a view
 fills at most: below things stand their names."""
@@ -50,26 +50,38 @@ class WorldCamera:
         )
         return np.asarray(np.array(self.target) + np.array(offset), dtype=np.float64)
 
-    def framing(self, box: Box3, aspect: float) -> WorldCamera:
+    def framing(self, box: Box3, aspect: float, foot: float = 0.0) -> WorldCamera:
         """The camera on the same side of a box of the world, as near as the box and the room above
-        it, where a hand works, fit into a picture. ``aspect`` is its width over its height."""
+        it, where a hand works, fit into a picture. ``aspect`` is its width over its height, and
+        ``foot`` the share of the height at the bottom that shall stay free."""
         low, high = np.array(box[0]), np.array(box[1])
         high[2] += min(HAND, SMALL_HAND * float(max(high[:2] - low[:2])))
         x, y, z = ((low + high) / 2).tolist()
         near, far = NEAREST, FARTHEST
+        down = foot * tan(self.field_of_view / 2)
+
+        def at(distance: float) -> WorldCamera:
+            """The camera so far away, with the box above the free foot."""
+            return replace(self, target=(x, y, z), distance=distance).panned(0, -down * distance)
+
         for _ in range(24):
             middle = (near + far) / 2
-            seen = replace(self, target=(x, y, z), distance=middle)
-            near, far = (near, middle) if seen.shows(low, high, aspect) else (middle, far)
-        return replace(self, target=(x, y, z), distance=far)
+            seen = at(middle).shows(low, high, aspect, foot)
+            near, far = (near, middle) if seen else (middle, far)
+        return at(far)
 
-    def shows(self, low: Corner, high: Corner, aspect: float) -> bool:
-        """Whether a box of the world (m) lies inside the picture, with a margin."""
+    def shows(self, low: Corner, high: Corner, aspect: float, foot: float = 0.0) -> bool:
+        """Whether a box of the world (m) lies inside the picture, with a margin, and above the
+        share ``foot`` of its height."""
         corners = [[(low, high)[part][axis] for axis, part in enumerate(one)] for one in EIGHT]
         points = np.hstack([np.array(corners), np.ones((8, 1))])
         clip = points @ self.view_projection(aspect).T.astype(np.float64)
         depth = clip[:, 3:]
-        return bool((depth > 0.02).all() and (np.abs(clip[:, :2] / depth) < FILLED).all())
+        if (depth <= 0.02).any():
+            return False
+        # The middle of what is above the foot stands so much higher than that of the picture.
+        flat = clip[:, :2] / depth - np.array((0.0, foot))
+        return bool((np.abs(flat) < np.array(FILLED) * (1.0, 1.0 - foot)).all())
 
     def at(self, target: tuple[float, float, float]) -> WorldCamera:
         """The camera that looks at another point (m) from the same side and distance."""

@@ -27,7 +27,7 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QWidget
 
 from smsl_studio.legible import plain_text
-from smsl_studio.studio.base.theme import RADIUS_CHIP, RADIUS_CONTROL, Tokens, mono_font, text_font
+from smsl_studio.studio.base.theme import Tokens, mono_font, text_font
 from smsl_studio.studio.base.tips import tip_text
 from smsl_studio.studio.running.scene.camera import (
     VIEWS,
@@ -41,6 +41,7 @@ from smsl_studio.studio.running.scene.camera import (
 from smsl_studio.studio.running.scene.ghost import GhostPlace
 from smsl_studio.studio.running.scene.ghost_paint import paint_ghost_words
 from smsl_studio.studio.running.scene.name_places import SMALL, free_place, is_aside
+from smsl_studio.studio.running.scene.plates import EDGE, PLATE, paint_plate, plates
 from smsl_studio.studio.running.scene.renderer import (
     GhostPoses,
     Renderer,
@@ -214,8 +215,9 @@ class WorldView(QWidget):
             seen = told or list(range(count))
             poses = [part for n in seen for part in self._poses[7 * n : 7 * n + 7]]
             box = box_of([self._shapes[n] for n in seen], poses)
-            aspect = self.width() / max(self.height(), 1)
-            self._home = self._home.framing(box, aspect) if box is not None else self._home
+            high = max(self.height(), 1)
+            aspect, foot = self.width() / high, min((EDGE + PLATE + 8) / high, 0.25)
+            self._home = self._home.framing(box, aspect, foot) if box is not None else self._home
         self._look(self._home)
 
     def come_back(self) -> None:
@@ -345,7 +347,8 @@ class WorldView(QWidget):
         """Paint the names of things close to them, none over another or over a small thing. A line
         leads from a name that has to stand aside to its thing."""
         painter.setFont(mono_font(12, 600))
-        metrics, room = QFontMetricsF(painter.font()), QRectF(self.rect())
+        metrics = QFontMetricsF(painter.font())
+        room = QRectF(self.rect()).adjusted(0, 0, 0, -(EDGE + PLATE + 4))
         things = [(shape.label, seen) for shape, seen in self._things_seen()]
         taken = [seen for _, seen in things if max(seen.width(), seen.height()) < SMALL]
         for label, seen in things:
@@ -356,7 +359,7 @@ class WorldView(QWidget):
             if is_aside(box, foot):
                 painter.setPen(QPen(self._tokens.tx3, 1.0))
                 painter.drawLine(box.center(), seen.center())
-            self._paint_box(painter, box, words, self._tokens.tx)
+            paint_plate(painter, box, words, self._tokens.tx, self._tokens)
 
     def _things_seen(self) -> Iterator[tuple[Shape, QRectF]]:
         """Yield the things with a label, each with what it covers of the picture. What is below the
@@ -376,22 +379,19 @@ class WorldView(QWidget):
 
     def _paint_chips(self, painter: QPainter) -> None:
         painter.setFont(text_font(12))
-        left, bottom = 12.0, self.height() - 12.0 - self.foot
-        for words in self._status:
-            width = QFontMetricsF(painter.font()).horizontalAdvance(words) + 20
-            self._paint_box(painter, QRectF(left, bottom - 24, width, 24), words, self._tokens.tx2)
-            left += width + 8
+        bottom, t = self.height() - EDGE - self.foot, self._tokens
+        inks = [t.tx2] * len(self._status)
+        told = [*self._status]
         if not self.patient and len(self._frames) > 2 and perf_counter() - self._frames[-1] < 1:
             rate = (len(self._frames) - 1) / max(self._frames[-1] - self._frames[0], 1e-3)
-            painter.setPen(self._tokens.tx3)
-            room = QRectF(self.width() - 132, bottom - 24, 120, 24)
-            right = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
-            painter.drawText(room, right, f"{rate:.0f} frames/s")
+            told.append(f"{rate:.0f} frames/s")
+            inks.append(t.tx3)
+        # One that has no room is left out, so that none lies under the bar of a forecast.
+        for words, box, ink in zip(told, plates(told), inks, strict=True):
+            if box.right() <= self.width() - EDGE:
+                paint_plate(painter, box.translated(0, bottom - PLATE), words, ink, t)
 
-    def _paint_box(self, painter: QPainter, box: QRectF, words: str, colour: QColor) -> None:
-        radius = RADIUS_CHIP if box.width() <= 20 else RADIUS_CONTROL
-        painter.setPen(QPen(self._tokens.line2, 1))
-        painter.setBrush(self._tokens.surf)
-        painter.drawRoundedRect(box, radius, radius)
-        painter.setPen(colour)
-        painter.drawText(box, Qt.AlignmentFlag.AlignCenter, plain_text(words))
+    @property
+    def reach(self) -> float:
+        """How far the words of the world reach from the left, with the rate (pixels)."""
+        return plates([*self._status, "60 frames/s"])[-1].right()

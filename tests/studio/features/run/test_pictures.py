@@ -16,6 +16,7 @@ from pytestqt.qtbot import QtBot
 from smsl_studio.studio.base.theme import LIGHT
 from smsl_studio.studio.running.scene.camera import VIEWS, WorldCamera, box_of
 from smsl_studio.studio.running.scene.name_places import free_place, is_aside
+from smsl_studio.studio.running.scene.plates import EDGE, plates
 from smsl_studio.studio.running.scene.renderer import (
     Renderer,
     RenderStyle,
@@ -83,6 +84,19 @@ def test_a_view_shows_the_whole_of_what_is_to_be_seen() -> None:
                 assert at is not None
                 assert -20 < at[0] < 820
                 assert -20 < at[1] < 520
+
+
+def test_the_foot_of_a_view_stays_free_and_the_words_there_stand_beside_each_other(
+    qtbot: QtBot,
+) -> None:
+    low, high = (0.4, -0.2, 0.0), (0.7, 0.1, 0.1)
+    for view in VIEWS.values():
+        framed = view.framing((low, high), 700 / 200, 0.2)
+        seen = [_pixel(framed, one, 700, 200) for one in product(*zip(low, high, strict=True))]
+        assert all(at is not None and -5 < at[1] < 160 for at in seen)
+    first, second = plates(["Gripper 80 mm", "60 frames/s"])
+    assert first.left() == EDGE
+    assert first.right() < second.left()
 
 
 def test_a_small_table_is_seen_nearly_as_large_as_a_large_one() -> None:
