@@ -192,3 +192,23 @@ def test_what_is_offered_while_a_run_holds_has_its_whole_words(sit: Sit) -> None
     buttons = at.pane.hold.buttons()
     assert "Restore Operation100B" in [button.text() for button in buttons]
     at.person.until(lambda: all(map(is_whole, buttons)))
+
+
+def test_the_large_layout_has_few_words_and_is_remembered(sit: Sit) -> None:
+    at = AtSupervise(sit(HANOI, (1280, 800)))
+    at.start_paused()
+    at.press(Key.Key_L)
+    assert at.pane.large.isVisible()
+    assert at.pane.large.words.state == "State_caa"
+    hidden = (at.pane.board, at.pane.text, at.pane.below, at.pane.forecast)
+    assert not any(one.isVisible() for one in hidden)
+    assert at.pane.step_in.veto.isVisible()
+    assert at.pane.bar.stop.isVisible()
+    again = sit(HANOI, (1280, 800))
+    again.ctrl(Key.Key_3)
+    large = again.window.features.supervise.pane
+    assert large.is_large
+    again.window.actions_table["large_supervise"].trigger()
+    assert not large.is_large
+    assert large.below.isVisible()
+    assert large.notice.isVisible()

@@ -33,6 +33,12 @@ class Supervising(Protocol):
     def is_mapped(self) -> bool:
         """Whether the full map of the SB is shown."""
 
+    def is_large(self) -> bool:
+        """Whether the large layout is shown."""
+
+    def turn_large(self) -> None:
+        """Show the large layout, or the usual one again."""
+
     def choose_first(self) -> None:
         """Give the keyboard focus to the first card."""
 
@@ -69,5 +75,8 @@ def supervise_actions(pane: Supervising, shell: Shell) -> tuple[Action, ...]:
         Action("choose_operation", "Choose an operation", there(pane.choose_first), "Run", "",
                tuple("123456789"), pane.run_exists, scope="supervise", section=2,
                tip="Choose one of the operations out of the current state"),
+        Action("large_supervise", "Supervise, large", there(pane.turn_large), "View", "", ("L",),
+               checked=pane.is_large, scope="supervise", section=3,
+               tip="Few words in large letters, read from two metres", also="big wall screen"),
         *(command(one) for one in COMMANDS.values() if one.tip),
     )  # fmt: skip

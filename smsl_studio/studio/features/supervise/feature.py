@@ -21,6 +21,10 @@ PARTS = "supervise_parts"
 """The name under which the parts of Supervise that are shown are stored."""
 
 
+LARGE = "supervise_large"
+"""The name under which it is stored whether Supervise is large."""
+
+
 class SuperviseFeature(Feature):
     """Supervise mode. Its pane is made together with the run that it shows.
 
@@ -50,6 +54,9 @@ class SuperviseFeature(Feature):
         settings = self._parts.settings
         pane.seen.restore(settings.text_of(PARTS))
         pane.seen.remember = partial(settings.store_text, PARTS)
+        if settings.text_of(LARGE):
+            pane.set_large(True)
+        pane.remember_large = partial(settings.store_text, LARGE)
         pane.full_map.canvas.collapse.join(self._parts.collapse)
         return pane
 
@@ -74,6 +81,14 @@ class SuperviseFeature(Feature):
     def is_mapped(self) -> bool:
         """Whether the full map of the SB is shown."""
         return self.part.made is not None and self.part.made.is_mapped()
+
+    def is_large(self) -> bool:
+        """Whether the large layout is shown."""
+        return self.part.made is not None and self.part.made.is_large
+
+    def turn_large(self) -> None:
+        """Show the large layout, or the usual one again."""
+        self.pane.set_large(not self.pane.is_large)
 
     def choose_first(self) -> None:
         """Give the keyboard focus to the first card."""

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtGui import QKeyEvent, QResizeEvent, QShowEvent
 from PySide6.QtWidgets import (
-    QAbstractButton,
-    QApplication,
     QStackedWidget,
     QVBoxLayout,
     QWidget,
@@ -15,7 +15,6 @@ from PySide6.QtWidgets import (
 from smsl_studio.blueprint.address import Address
 from smsl_studio.dispatch.drive.foresight import sensed_values
 from smsl_studio.dispatch.execution.status import DispatchStatus
-from smsl_studio.dispatch.supervision.table import COMMANDS
 from smsl_studio.front.views.partial import PartialView, partial_view, shown_branch
 from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.base.words import refusal_words
@@ -27,6 +26,9 @@ from smsl_studio.studio.features.supervise.decision_flow import DecisionFlow
 from smsl_studio.studio.features.supervise.facts import sensed_marks
 from smsl_studio.studio.features.supervise.forecast_strip import ForecastStrip
 from smsl_studio.studio.features.supervise.head import HIGH, LOW, PartialHead
+from smsl_studio.studio.features.supervise.keys import press
+from smsl_studio.studio.features.supervise.large_view import LargeView
+from smsl_studio.studio.features.supervise.large_words import large_words
 from smsl_studio.studio.features.supervise.notice import Notice
 from smsl_studio.studio.features.supervise.right_column import RightColumn
 from smsl_studio.studio.features.supervise.seen_parts import SeenParts
@@ -47,8 +49,6 @@ LOW_RIGHT = 520
 """A page lower than this scrolls at the right, because a question has no room above Step in."""
 BELOW = 246
 """The designed height of the panels below the partial view (pixels)."""
-KEYS = {Qt.Key(ord(row.key)): row.word for row in COMMANDS.values() if len(row.key) == 1}
-"""The words of commands by their letter keys."""
 
 
 class SupervisePane(QWidget):
@@ -69,6 +69,7 @@ class SupervisePane(QWidget):
         super().__init__(parent)
         self._session, self._run, self._tokens = session, run, tokens
         self._chosen_branch = self._branch = ""
+        self.remember_large: Callable[[str], object] = lambda _: None
         self._view: PartialView | None = None
         self.setAccessibleName("Supervise")
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
@@ -91,7 +92,7 @@ class SupervisePane(QWidget):
 
     def set_tokens(self, tokens: Tokens) -> None:
         """Use the colours of another theme."""
-        for part in (*self._wearing, self.seen):
+        for part in (*self._wearing, self.seen, self.large):
             part.set_tokens(tokens)
         self.refresh()
 
@@ -208,7 +209,11 @@ class SupervisePane(QWidget):
         graph = column_of(self.head, self.pages)
         self.seen = SeenParts(self._run, graph, self.text, self.scene, self._tokens)
         self.bar.views.setMenu(self.seen.menu)
-        top = column_of(None, self.seen, self.forecast)
+        self.large = LargeView(self._tokens)
+        self.large.hide()
+        beside = split_of(Qt.Orientation.Horizontal, self.large, self.seen)
+        beside.setStretchFactor(1, 1)
+        top = column_of(None, beside, self.forecast)
         self.level_slot = QVBoxLayout()
         self.level_slot.setContentsMargins(0, 0, 0, 0)
         level = QWidget()
@@ -255,11 +260,26 @@ class SupervisePane(QWidget):
         self.forecaster.changed.connect(self._show_forecast)
         self.forecast.anew_wanted.connect(lambda: self.forecaster.anew(run.status))
         self.notice.pressed.connect(self.begin_wanted)
+        self.seen.large_wanted.connect(self.set_large)
         bar.play_wanted.connect(lambda: run.resume() if run.exists else self.begin_wanted.emit())
         bar.pause_wanted.connect(run.pause)
         bar.stop_wanted.connect(run.stop)
         bar.reset_wanted.connect(lambda: self.ask_for("reset"))
         bar.end_wanted.connect(lambda: self.ask_for("end"))
+
+    @property
+    def is_large(self) -> bool:
+        """Whether the large layout is shown, which is read from two metres."""
+        return not self.large.isHidden()
+
+    def set_large(self, on: bool) -> None:
+        """Show the large layout, or the usual one again. It is remembered."""
+        self.large.setVisible(on)
+        self.seen.set_large(on)
+        self.below.setVisible(not on)
+        self.forecast.setVisible(not on)
+        self.remember_large("large" if on else "")
+        self.refresh()
 
     # What is shown.
 
@@ -308,7 +328,12 @@ class SupervisePane(QWidget):
         now = sensed_values(status.scene) if status is not None else {}
         view = self.forecaster.view
         self.forecast.show_forecast(run.blueprint, view, now, at_work)
-        self.board.show_forecast(self.forecast.card_words(run.blueprint))
+        told = self.forecast.card_words(run.blueprint)
+        self.board.show_forecast(told)
+        if self.is_large:
+            self.forecast.hide()
+            self.large.show_words(large_words(run.blueprint, status, self._view, self.subject, told,
+                                              run.phase, run.over, run.sentence))  # fmt: skip
         self.text.show_state(run.blueprint, self._view, self.subject, at_work)
 
     def _place_heads(self) -> None:
@@ -357,28 +382,6 @@ class SupervisePane(QWidget):
         plain = event.modifiers() in (
             Qt.KeyboardModifier.NoModifier, Qt.KeyboardModifier.KeypadModifier,
         )  # fmt: skip
-        if plain and not event.isAutoRepeat() and self._press(Qt.Key(event.key())):
+        if plain and not event.isAutoRepeat() and press(self, Qt.Key(event.key())):
             return
         super().keyPressEvent(event)
-
-    def _press(self, key: Qt.Key) -> bool:
-        """Act on a key; returns whether it means something here."""
-        if Qt.Key.Key_1 <= key <= Qt.Key.Key_9:
-            self.choose(key - Qt.Key.Key_0)
-        elif key in KEYS:
-            self.ask_for(KEYS[key])
-        elif key == Qt.Key.Key_Escape:
-            self.deciding.drop()
-        elif key in (Qt.Key.Key_Return, Qt.Key.Key_Enter):
-            return self._enter()
-        else:
-            return False
-        return True
-
-    def _enter(self) -> bool:
-        """Press the button that has the focus, else confirm the present question."""
-        focus = QApplication.focusWidget()
-        if isinstance(focus, QAbstractButton) and self.isAncestorOf(focus):
-            focus.click()
-            return True
-        return self.deciding.confirm()

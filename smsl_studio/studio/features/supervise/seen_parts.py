@@ -22,6 +22,8 @@ GRAPH, TEXT, SCENE = "Partial view", "Text", "Scene"
 NAMES = (GRAPH, TEXT, SCENE)
 GRAPH_WIDTH = 424
 """The designed width of the partial view beside a scene (pixels)."""
+LARGE_ROOM = 1000
+"""From this width of the place on, the large layout has the scene beside it (pixels)."""
 ROOM = 800, 380
 """From this width and height text and scene are shown by themselves, if the world has a picture
 (pixels)."""
@@ -40,6 +42,8 @@ class SeenParts(QWidget):
 
     turned = Signal()
     """Other parts are shown than before."""
+    large_wanted = Signal(bool)
+    """bool: a person wants the large layout, or the usual one."""
 
     def __init__(
         self, run: RunSession, graph: QWidget, text: TextPanel, scene: WorldPane, tokens: Tokens
@@ -50,6 +54,7 @@ class SeenParts(QWidget):
         """The window of the partial view, while it has one."""
         self._parts = dict(zip(NAMES, (graph, text, scene), strict=True))
         self._chosen: tuple[str, ...] = ()
+        self._large = False
         self._loaded: object = None
         self.remember: Callable[[str], object] = lambda _: None
         self.graph, self.text, self.scene = graph, text, scene
@@ -74,6 +79,9 @@ class SeenParts(QWidget):
         self.apart = self.menu.addAction("Partial view in its own window")
         self.apart.setCheckable(True)
         self.apart.triggered.connect(lambda on: self.tear_off() if on else self.put_back())
+        self.larger = self.menu.addAction("Large, for two metres")
+        self.larger.setCheckable(True)
+        self.larger.triggered.connect(self.large_wanted)
         self._frames = QTimer(self)
         self._frames.setInterval(FRAME)
         self._frames.timeout.connect(self._draw)
@@ -87,7 +95,11 @@ class SeenParts(QWidget):
 
     @property
     def shown(self) -> tuple[str, ...]:
-        """The names of the parts that are shown."""
+        """The names of the parts that are shown. In the large layout that is the scene alone, if it
+        has a picture and room."""
+        if self._large:
+            picture = bool(self._run.shapes) and (not self._chosen or SCENE in self._chosen)
+            return (SCENE,) if picture and self.width_of_place >= LARGE_ROOM else ()
         if self.own is not None:
             rest = tuple(name for name in self._chosen if name != GRAPH)
             return rest or (TEXT, SCENE)
@@ -96,6 +108,21 @@ class SeenParts(QWidget):
         wide, high = ROOM
         roomy = self.width() >= wide and self.height() >= high
         return NAMES if self._run.shapes and roomy else (GRAPH,)
+
+    @property
+    def width_of_place(self) -> int:
+        """The width of the place for all parts (pixels), which the large layout shares."""
+        place = self.parentWidget()
+        return place.width() if place is not None else self.width()
+
+    def set_large(self, on: bool) -> None:
+        """Leave the room to the large layout, or take it back."""
+        if on:
+            self.put_back()
+        self._large = on
+        self.larger.setChecked(on)
+        self.apart.setEnabled(not on)
+        self.fit()
 
     def restore(self, text: str) -> None:
         """Show what was remembered. Anything else is left alone."""
@@ -110,8 +137,10 @@ class SeenParts(QWidget):
             apart = name == GRAPH and self.own is not None
             self._parts[name].setVisible(apart or name in shown)
             self.choices[name].setChecked(apart or name in shown)
-            self.choices[name].setEnabled(not apart and shown != (name,))
+            self.choices[name].setEnabled(not apart and not self._large and shown != (name,))
         self._left.setVisible(GRAPH in shown or TEXT in shown)
+        if self.parentWidget() is not None:
+            self.setVisible(bool(shown))
         if TEXT in changed and TEXT in shown:
             self._left.setSizes([max(self.height() - LEAST, TALL + HIGH), LEAST])
         if SCENE in changed and SCENE in shown:

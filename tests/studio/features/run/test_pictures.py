@@ -92,7 +92,8 @@ def test_the_foot_of_a_view_stays_free_and_the_words_there_stand_beside_each_oth
     low, high = (0.4, -0.2, 0.0), (0.7, 0.1, 0.1)
     for view in VIEWS.values():
         framed = view.framing((low, high), 700 / 200, 0.2)
-        seen = [_pixel(framed, one, 700, 200) for one in product(*zip(low, high, strict=True))]
+        corners = product(*zip(low, high, strict=True))
+        seen = [_pixel(framed, (x, y, z), 700, 200) for x, y, z in corners]
         assert all(at is not None and -5 < at[1] < 160 for at in seen)
     first, second = plates(["Gripper 80 mm", "60 frames/s"])
     assert first.left() == EDGE
