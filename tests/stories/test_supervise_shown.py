@@ -8,6 +8,7 @@ from pathlib import Path
 
 import pytest
 from PySide6.QtCore import QRect, Qt
+from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QPushButton, QWidget
 
 from tests.stories.at_supervise import AtSupervise
@@ -212,3 +213,39 @@ def test_the_large_layout_has_few_words_and_is_remembered(sit: Sit) -> None:
     assert not large.is_large
     assert large.below.isVisible()
     assert large.notice.isVisible()
+
+
+def test_what_is_chosen_in_one_part_is_chosen_in_all(sit: Sit) -> None:
+    at = AtSupervise(sit(HANOI, (1440, 900)))
+    at.start_paused()
+    pane = at.pane
+    pane.seen.restore("Partial view,Text,Scene")
+    pane.refresh()
+    fact = frozenset({("SB1", 1)})
+    tiles = pane.scene.tiles
+    assert tiles.isVisible(), "the table has no picture"
+    center = tiles.visualRect(tiles.tiles.index(1)).center()
+    QTest.mouseClick(tiles.viewport(), Qt.MouseButton.LeftButton, pos=center)
+    assert pane.facts.keys == fact
+    assert tiles.painter.chosen == fact
+
+    def marked() -> list[str]:
+        tips = [pane.text.list.item(row).toolTip() for row in range(pane.text.list.count())]
+        return [tip for tip in tips if "changes" in tip or "proposed" in tip]
+
+    assert marked() == ["SB1/State_caa/Op_2b is proposed"], "which changes the fact, too"
+    # A state in the graph shows its facts.
+    spot = next(s for s in pane.board.spots if "State_aaa" in s.accessibleName())
+    QTest.mouseClick(spot, Qt.MouseButton.LeftButton, pos=spot.rect().center())
+    assert pane.facts.keys == {("SB1", 0)}
+    assert "SB1/State_caa/Op_1a changes Fact 1" in marked()
+    # A row of the state check, and again for nothing.
+    table = pane.check.table
+    for chosen in (fact, frozenset()):
+        place = table.visualRect(table.model().index(1, 0)).center()
+        QTest.mouseClick(table.viewport(), Qt.MouseButton.LeftButton, pos=place)
+        assert pane.facts.keys == chosen
+    at.press(at.number("Op_1b"))
+    assert pane.facts.keys == {("SB1", 0)}, "an operation shows what it changes"
+    at.press(Key.Key_Escape)
+    assert not pane.facts.keys

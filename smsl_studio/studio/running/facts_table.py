@@ -22,6 +22,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from smsl_studio.blueprint.check import FactKey
 from smsl_studio.front.views.fact_rows import FactRow
 from smsl_studio.front.views.freshness import age_of, age_words, bars
 from smsl_studio.legible import plain_text
@@ -108,12 +109,15 @@ class _FactCells(QStyledItemDelegate):
     def __init__(self, tokens: Tokens, parent: QWidget) -> None:
         super().__init__(parent)
         self.tokens = tokens
+        self.chosen: frozenset[FactKey] = frozenset()
 
     def paint(self, painter: QPainter, option: QStyleOptionViewItem, index: Index) -> None:
         """Paint one cell, or the line of a group over the whole row."""
         row: FactRow = index.data(Qt.ItemDataRole.UserRole)
         room = QRectF(option.rect)
         painter.save()
+        if row.key in self.chosen:
+            painter.fillRect(room, self.tokens.accs)
         painter.fillRect(QRectF(room.left(), room.bottom() - 1, room.width(), 1), self.tokens.line)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         words = str(index.data(Qt.ItemDataRole.DisplayRole))
@@ -227,6 +231,9 @@ class FactsTable(QTableView):
     chosen = Signal(object)
     """FactKey: a person wants to see what this fact rests on, by a click on a chip or Enter."""
 
+    named = Signal(object)
+    """FactKey: a person clicked on the name of this fact."""
+
     def __init__(
         self, tokens: Tokens, parent: QWidget | None = None, quality: str = COLUMNS[4]
     ) -> None:
@@ -259,6 +266,7 @@ class FactsTable(QTableView):
         self.setAccessibleName("Facts: believed and sensed")
         FocusLine(self)
         self._cell = CurrentCell(self)
+        self.clicked.connect(self._tell_name)
         self.clicked.connect(lambda index: self._choose(index, (1, 2)))
 
     def show_rows(self, rows: tuple[FactRow, ...]) -> None:
@@ -278,6 +286,12 @@ class FactsTable(QTableView):
             self._names = names
             self._fit_names()
 
+    def show_chosen(self, keys: frozenset[FactKey]) -> None:
+        """Light the rows of these facts."""
+        if keys != self._cells.chosen:
+            self._cells.chosen = keys
+            self.viewport().update()
+
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Enter chooses the fact. Letters and digits may be commands of the page."""
         if event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter) and self._cell.index.isValid():
@@ -286,6 +300,11 @@ class FactsTable(QTableView):
             event.ignore()
         else:
             super().keyPressEvent(event)
+
+    def _tell_name(self, index: QModelIndex) -> None:
+        key = self.facts.rows[index.row()].key
+        if key is not None and not index.column():
+            self.named.emit(key)
 
     def _choose(self, index: QModelIndex, columns: Collection[int]) -> None:
         """Tell which fact was chosen, if the cell is in one of these columns."""

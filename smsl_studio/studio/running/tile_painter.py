@@ -34,6 +34,7 @@ class TilePainter(QStyledItemDelegate):
         """The size of a tile with the gaps beside it."""
         self.share = 0.0
         self.lit: frozenset[tuple[str, int]] = frozenset()
+        self.chosen: frozenset[tuple[str, int]] = frozenset()
 
     def sizeHint(self, option: QStyleOptionViewItem, index: Index) -> QSize:
         """The size of every tile."""
@@ -46,7 +47,7 @@ class TilePainter(QStyledItemDelegate):
         focused = option.state & QStyle.StateFlag.State_HasFocus
         painter.save()
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        self._ground(painter, box, tile, bool(focused))
+        self._ground(painter, box, tile, bool(focused) or tile.key in self.chosen)
         inner = box.adjusted(INSET, 6, -INSET, -6)
         t, tall = self.tokens, box.height() >= TALL
         name = QRectF(inner.left(), inner.top(), inner.width(), 16)

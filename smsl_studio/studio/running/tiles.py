@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QAbstractListModel, QModelIndex, QObject, QSize, Qt, QTimer
+from PySide6.QtCore import QAbstractListModel, QModelIndex, QObject, QSize, Qt, QTimer, Signal
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QListView, QWidget
 
@@ -57,6 +57,9 @@ class TilesModel(QAbstractListModel):
 class TilesView(QListView):
     """A grid of tiles that fills its width. Arrow keys go from tile to tile."""
 
+    chosen = Signal(object)
+    """FactKey: the person clicked on the tile of this fact, or pressed Enter on it."""
+
     def __init__(self, tokens: Tokens, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.tiles = TilesModel(self)
@@ -75,6 +78,8 @@ class TilesView(QListView):
         self.setTabKeyNavigation(False)
         self.viewport().setAutoFillBackground(False)
         self.setAccessibleName("Facts as tiles")
+        self.clicked.connect(lambda index: self.chosen.emit(self.tiles.tiles[index.row()].key))
+        self.activated.connect(lambda index: self.chosen.emit(self.tiles.tiles[index.row()].key))
         self._dark = QTimer(self)
         self._dark.setSingleShot(True)
         self._dark.setInterval(LIGHT)
@@ -98,6 +103,12 @@ class TilesView(QListView):
             self._light(frozenset(tile.key for tile in changed))
             self._dark.start()
         self._reveal(tuple(tile for tile in tiles if tile.target) or changed)
+
+    def show_chosen(self, keys: frozenset[tuple[str, int]]) -> None:
+        """Frame the tiles of these facts."""
+        if keys != self.painter.chosen:
+            self.painter.chosen = keys
+            self.viewport().update()
 
     def show_share(self, share: float) -> None:
         """Show how far the tokens of moving facts have got, from 0 to 1."""

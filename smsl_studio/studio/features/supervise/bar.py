@@ -16,6 +16,7 @@ from smsl_studio.studio.base.theme import CONTROL_DECISION, Tokens
 from smsl_studio.studio.base.tips import tip_text
 from smsl_studio.studio.running.frames import tool
 from smsl_studio.studio.running.phase_badge import PhaseBadge
+from smsl_studio.studio.running.run_session import RunSession
 
 NARROW, BARE = 620, 400
 """The widths from which the buttons have words, and keys (pixels)."""
@@ -83,6 +84,13 @@ class SuperviseBar(QWidget):
             self.step, self.end, self.phase, self.play, self.reset, gaps=4,
         )  # fmt: skip
         self.show_run("", exists=False, over=False, tip="", goal="", person="")
+
+    def show_status(self, run: RunSession) -> None:
+        """Show a run as it stands."""
+        status, person = run.status, run.who()
+        goals = ", ".join(goal.state for goal in status.goals) if status is not None else ""
+        named = "" if person == "a person" else person
+        self.show_run(run.phase, run.exists, run.over, run.sentence, goals, named)
 
     def show_run(
         self, phase: str, exists: bool, over: bool, tip: str, goal: str, person: str

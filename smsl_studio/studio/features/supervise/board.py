@@ -23,6 +23,8 @@ class Board(QScrollArea):
 
     card_chosen = Signal(object)
     """Address: the person pressed the card of this operation."""
+    state_chosen = Signal(str)
+    """str: the person clicked on this state."""
     columns_moved = Signal(object)
     """Columns: the present places of the columns."""
 
@@ -31,6 +33,7 @@ class Board(QScrollArea):
         self._inner = PartialSurface(tokens)
         self._at_hand: Address | None = None
         self._inner.card_chosen.connect(self.card_chosen)
+        self._inner.state_chosen.connect(self.state_chosen)
         self._inner.seen_wanted.connect(self._see)
         self.setWidget(self._inner)
         self.setWidgetResizable(True)
@@ -94,6 +97,10 @@ class Board(QScrollArea):
             self._at_hand = at_hand
             # The board has the height of its new cards a moment later.
             QTimer.singleShot(0, self, self._see_hand)
+
+    def show_selected(self, states: frozenset[str]) -> None:
+        """Ring these of the states to which the operations lead."""
+        self._inner.show_selected(states)
 
     def show_forecast(self, told: CardForecast | None) -> None:
         """Show a forecast on the card of its operation. None takes the words away."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import NamedTuple
 
 from smsl_studio.blueprint.check import CheckResult, Term, state_check, sub_below
@@ -107,7 +107,10 @@ def _rows(
     terms = {term.fact: term for term in check.terms}
     here = _Here(state, check.state != state, lost)
     return tuple(
-        _row(blueprint, own, status, terms.get((own.name, digit)), digit, here)
+        replace(
+            _row(blueprint, own, status, terms.get((own.name, digit)), digit, here),
+            key=(own.name, digit),
+        )
         for digit in range(len(own.facts(state)))
     )
 

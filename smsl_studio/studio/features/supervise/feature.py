@@ -88,7 +88,7 @@ class SuperviseFeature(Feature):
 
     def turn_large(self) -> None:
         """Show the large layout, or the usual one again."""
-        self.pane.set_large(not self.pane.is_large)
+        self.pane.turn_large()
 
     def choose_first(self) -> None:
         """Give the keyboard focus to the first card."""

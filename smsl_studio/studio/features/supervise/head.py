@@ -16,7 +16,7 @@ from smsl_studio.studio.base.theme import Tokens, text_font
 from smsl_studio.studio.base.tips import tip_text
 from smsl_studio.studio.base.words import as_it_is
 from smsl_studio.studio.features.supervise.columns import Columns
-from smsl_studio.studio.features.supervise.surface import draw_dots
+from smsl_studio.studio.features.supervise.wires import draw_dots
 from smsl_studio.studio.running.frames import tool
 
 HIGH, LOW = 64, 40

@@ -59,24 +59,31 @@ class LargeWords:
         return ". ".join(one for one in (*told, *more) if one)
 
 
+@dataclass(frozen=True)
+class LargeRun:
+    """A run as it stands. ``sentence`` says how it ended, once it is ``over``."""
+
+    blueprint: Blueprint | None
+    status: DispatchStatus | None
+    phase: str
+    over: bool = False
+    sentence: str = ""
+
+
 def large_words(
-    blueprint: Blueprint | None,
-    status: DispatchStatus | None,
+    run: LargeRun,
     view: PartialView | None,
     subject: Address | None,
     forecast: CardForecast | None,
-    phase: str,
-    over: bool = False,
-    sentence: str = "",
 ) -> LargeWords:
-    """Return the words for a run that stands so. ``subject`` is the operation at hand, and
-    ``sentence`` says how the run ended."""
+    """Return the words for a run that stands so. ``subject`` is the operation at hand."""
+    blueprint, status, phase, over = run.blueprint, run.status, run.phase, run.over
     words, kind = phase_words(phase, over)
     if blueprint is None or status is None or view is None:
-        return LargeWords(words, kind, capital(sentence) if over else "" if phase else FIRST)
+        return LargeWords(words, kind, capital(run.sentence) if over else "" if phase else FIRST)
     question = status.tasks[0].question if status.tasks else ""
     if over:
-        question = capital(sentence)
+        question = capital(run.sentence)
     elif not question and phase in ("fault_hold", "no_route", "stopped", "held", "failed"):
         question = status.sentence
     checked = check_view(blueprint, status, view.branch, phase == "failed")

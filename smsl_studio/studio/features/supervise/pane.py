@@ -14,7 +14,6 @@ from PySide6.QtWidgets import (
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.dispatch.drive.foresight import sensed_values
-from smsl_studio.dispatch.execution.status import DispatchStatus
 from smsl_studio.front.views.partial import PartialView, partial_view, shown_branch
 from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.base.words import refusal_words
@@ -23,12 +22,13 @@ from smsl_studio.studio.features.supervise.bar import SuperviseBar
 from smsl_studio.studio.features.supervise.board import Board
 from smsl_studio.studio.features.supervise.check_panel import CheckPanel
 from smsl_studio.studio.features.supervise.decision_flow import DecisionFlow
+from smsl_studio.studio.features.supervise.fact_choice import NOTHING, FactChoice
 from smsl_studio.studio.features.supervise.facts import sensed_marks
 from smsl_studio.studio.features.supervise.forecast_strip import ForecastStrip
 from smsl_studio.studio.features.supervise.head import HIGH, LOW, PartialHead
 from smsl_studio.studio.features.supervise.keys import press
 from smsl_studio.studio.features.supervise.large_view import LargeView
-from smsl_studio.studio.features.supervise.large_words import large_words
+from smsl_studio.studio.features.supervise.large_words import LargeRun, large_words
 from smsl_studio.studio.features.supervise.notice import Notice
 from smsl_studio.studio.features.supervise.right_column import RightColumn
 from smsl_studio.studio.features.supervise.seen_parts import SeenParts
@@ -87,6 +87,7 @@ class SupervisePane(QWidget):
                          self.forecast, self.text, self.scene)  # fmt: skip
         self.deciding = DecisionFlow(run, self.step_in, self)
         self._build()
+        self.facts = FactChoice(run, self.board, self.text, self.scene, self.check.table)
         self._connect()
         self.refresh()
 
@@ -126,6 +127,7 @@ class SupervisePane(QWidget):
         """Choose an operation and ask what to do with it."""
         card = self._view.card(address) if self._view is not None else None
         if card is not None and self._run.exists:
+            self.facts.choose_changed(address)
             self.deciding.pick(card)
 
     def accept(self) -> None:
@@ -252,6 +254,8 @@ class SupervisePane(QWidget):
             turned.connect(self.refresh)
         self.board.columns_moved.connect(lambda _: self._place_heads())
         self.full_map.chosen.connect(self.pick)
+        self.facts.changed.connect(self.refresh)
+        self.step_in.asking.dropped.connect(lambda: self.facts.choose(NOTHING))
         self.head.branch_wanted.connect(self.show_branch)
         self.head.map_wanted.connect(self.set_full_map)
         self.deciding.changed.connect(self.refresh)
@@ -271,6 +275,19 @@ class SupervisePane(QWidget):
     def is_large(self) -> bool:
         """Whether the large layout is shown, which is read from two metres."""
         return not self.large.isHidden()
+
+    def turn_large(self) -> None:
+        """Show the large layout, or the usual one again."""
+        self.set_large(not self.is_large)
+
+    def drop(self) -> None:
+        """Drop the question and what is chosen."""
+        self.facts.choose(NOTHING)
+        self.deciding.drop()
+
+    def confirm(self) -> bool:
+        """Confirm the present question; returns whether there is one."""
+        return self.deciding.confirm()
 
     def set_large(self, on: bool) -> None:
         """Show the large layout, or the usual one again. It is remembered."""
@@ -293,7 +310,7 @@ class SupervisePane(QWidget):
             branch = shown_branch(status, self._chosen_branch, self._branch)
             self._branch = branch
             self._view = partial_view(blueprint, status, branch)
-        self._show_bar(status)
+        self.bar.show_status(run)
         if not self.isVisible() and self.seen.own is None:
             return
         self.deciding.follow(status, self._view)
@@ -320,6 +337,7 @@ class SupervisePane(QWidget):
         self.step_in.show_status(blueprint, status, run.exists, self.subject)
         self.forecaster.follow(run.asked, status, self.subject)
         self.seen.refresh()
+        self.facts.follow(status, self._view)
         self._show_forecast()
 
     def _show_forecast(self) -> None:
@@ -332,21 +350,14 @@ class SupervisePane(QWidget):
         self.board.show_forecast(told)
         if self.is_large:
             self.forecast.hide()
-            self.large.show_words(large_words(run.blueprint, status, self._view, self.subject, told,
-                                              run.phase, run.over, run.sentence))  # fmt: skip
+            here = LargeRun(run.blueprint, status, run.phase, run.over, run.sentence)
+            self.large.show_words(large_words(here, self._view, self.subject, told))
         self.text.show_state(run.blueprint, self._view, self.subject, at_work)
 
     def _place_heads(self) -> None:
         shown = self.pages.currentWidget() is self.board
         came = self._view is not None and self._view.via is not None
         self.head.show_columns(self.board.columns if shown else None, came, self.board.shift)
-
-    def _show_bar(self, status: DispatchStatus | None) -> None:
-        run = self._run
-        goals = ", ".join(goal.state for goal in status.goals) if status is not None else ""
-        person = run.who()
-        named = "" if person == "a person" else person
-        self.bar.show_run(run.phase, run.exists, run.over, run.sentence, goals, named)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Fit the columns to the new size."""

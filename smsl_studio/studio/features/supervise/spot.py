@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from PySide6.QtCore import QPointF, QRectF, QSize, Qt
-from PySide6.QtGui import QPainter, QPaintEvent
+from PySide6.QtCore import QPointF, QRectF, QSize, Qt, Signal
+from PySide6.QtGui import QMouseEvent, QPainter, QPaintEvent
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from smsl_studio.blueprint.model import StateBranch
@@ -25,6 +25,9 @@ BELOW = 38
 
 class StateSpot(QWidget):
     """Shows one state; ``place`` moves the middle of its box to a point."""
+
+    pressed = Signal(str)
+    """str: the person clicked on this state."""
 
     def __init__(self, ink: Ink, parent: QWidget) -> None:
         super().__init__(parent)
@@ -66,12 +69,18 @@ class StateSpot(QWidget):
         facts = [f"{branch.fact_name(digit)}: {chip.text}" for digit, chip in enumerate(face.chips)]
         title = [face.title] if face.title else []
         self.setAccessibleName(plain_text(", ".join([f"{role} state {face.name}", *title, *facts])))
-        self.setToolTip(tip_text("\n".join([face.name, *title, *facts])))
+        told = [face.name, *title, *facts, "A click chooses what is otherwise there"]
+        self.setToolTip(tip_text("\n".join(told)))
         if self._strong or self._soft:
             # The words below say it already.
             self._face = replace(face, title="")
         self.resize(self.sizeHint())
         self.update()
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        """Tell that the state was clicked."""
+        if self._face is not None:
+            self.pressed.emit(self._face.name)
 
     def place(self, centre: QPointF) -> None:
         """Move the middle of the box to a point of the parent."""
@@ -104,3 +113,9 @@ class StateSpot(QWidget):
                 painter.drawText(room, Qt.AlignmentFlag.AlignCenter, shown)
                 y += 17
         painter.end()
+
+
+def clock(seconds: float) -> str:
+    """Minutes and seconds, such as 00:41."""
+    whole = int(seconds)
+    return f"{whole // 60:02d}:{whole % 60:02d}"

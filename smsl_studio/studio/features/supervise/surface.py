@@ -28,14 +28,20 @@ from smsl_studio.studio.features.supervise.columns import (
     stacked_columns,
 )
 from smsl_studio.studio.features.supervise.legend import PartialLegend
-from smsl_studio.studio.features.supervise.spot import StateSpot
-from smsl_studio.studio.features.supervise.wires import LIT, draw_way, draw_way_down, draw_wire, fan
+from smsl_studio.studio.features.supervise.spot import StateSpot, clock
+from smsl_studio.studio.features.supervise.wires import (
+    LIT,
+    draw_dots,
+    draw_way,
+    draw_way_down,
+    draw_wire,
+    fan,
+)
 
 PITCH = 64
 TOP, BOTTOM = 8, 12
 APART = 96.0
 """How far the previous state stands above the active one (pixels)."""
-DOTS = 16
 
 
 class PartialSurface(QWidget):
@@ -45,6 +51,7 @@ class PartialSurface(QWidget):
     """
 
     card_chosen = Signal(object)
+    state_chosen = Signal(str)
     seen_wanted = Signal(object)
 
     def __init__(self, tokens: Tokens) -> None:
@@ -57,7 +64,7 @@ class PartialSurface(QWidget):
         self.view: PartialView | None = None
         self.columns: Columns | None = None
         self.cards: list[CardButton] = []
-        self._previous, self._current = StateSpot(self._ink, self), StateSpot(self._ink, self)
+        self._previous, self._current = self._spot(), self._spot()
         self._neighbours: list[StateSpot] = []
         self._stays: list[QLabel] = []
         self._via = Label("", self)
@@ -65,6 +72,18 @@ class PartialSurface(QWidget):
         self._centres: dict[str, float] = {}
         self._told: object = None
         self._forecast: CardForecast | None = None
+        self._selected: frozenset[str] = frozenset()
+
+    def _spot(self) -> StateSpot:
+        made = StateSpot(self._ink, self)
+        made.pressed.connect(self.state_chosen)
+        return made
+
+    def show_selected(self, states: frozenset[str]) -> None:
+        """Ring these of the states to which the operations lead."""
+        if states != self._selected:
+            self._selected = states
+            self._arrange()
 
     def set_tokens(self, tokens: Tokens) -> None:
         """Use the colours of another theme."""
@@ -252,12 +271,12 @@ class PartialSurface(QWidget):
         assert self._picture is not None
         x, most = self.columns.neighbours
         while len(self._neighbours) < len(view.neighbours):
-            self._neighbours.append(StateSpot(self._ink, self))
+            self._neighbours.append(self._spot())
         for at, spot in enumerate(self._neighbours):
             spot.setVisible(at < len(view.neighbours))
             if at < len(view.neighbours):
                 name = view.neighbours[at]
-                look = NodeLook(next=name == view.ahead)
+                look = NodeLook(next=name == view.ahead, selected=name in self._selected)
                 spot.show_state(self._picture.branch, faces[name], look, "neighbour", most)
                 spot.place(QPointF(x + most / 2, self._centres[name]))
         staying = [button for button in self.cards if button.card.stays]
@@ -376,18 +395,3 @@ class PartialSurface(QWidget):
         """Arrange cards and states in the new width."""
         super().resizeEvent(event)
         self._arrange()
-
-
-def draw_dots(painter: QPainter, rect: QRect, tokens: Tokens) -> None:
-    """Paint the dots of the background, 16 pixels apart."""
-    painter.setPen(Qt.PenStyle.NoPen)
-    painter.setBrush(tokens.dot)
-    for y in range(rect.top() // DOTS * DOTS, rect.bottom() + 1, DOTS):
-        for x in range(rect.left() // DOTS * DOTS, rect.right() + 1, DOTS):
-            painter.drawRect(x, y, 1, 1)
-
-
-def clock(seconds: float) -> str:
-    """Minutes and seconds, such as 00:41."""
-    whole = int(seconds)
-    return f"{whole // 60:02d}:{whole % 60:02d}"

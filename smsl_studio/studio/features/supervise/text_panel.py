@@ -54,6 +54,7 @@ class TextPanel(QWidget):
         self._texts: tuple[Blueprint, StateTexts] | None = None
         self._told: object = None
         self._form = 0
+        self._changing: dict[str, str] = {}
         self.setProperty("role", "panel")
         self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
         self.setAccessibleName("Text of the active state")
@@ -92,6 +93,11 @@ class TextPanel(QWidget):
         """Use the colours of another theme."""
         self._tokens, self._told = tokens, None
 
+    def show_changing(self, changing: dict[str, str]) -> None:
+        """Mark the lines of these operations of the active state. Each has words for the tip: which
+        chosen fact it changes. They are seen with the next ``show_state``."""
+        self._changing = changing
+
     def show_state(
         self,
         blueprint: Blueprint | None,
@@ -103,7 +109,7 @@ class TextPanel(QWidget):
         or ``at_work``."""
         told = (
             blueprint and id(blueprint), view and (view.branch, view.state), subject, at_work,
-            self._form,
+            self._form, tuple(self._changing.items()),
         )  # fmt: skip
         if not self.isVisible() or told == self._told:
             return
@@ -136,6 +142,12 @@ class TextPanel(QWidget):
             said = "running" if at_work else "proposed"
             item.setBackground(QBrush(self._tokens.accs))
             item.setToolTip(tip_text(f"{edge} is {said}"))
+            item.setData(Qt.ItemDataRole.AccessibleTextRole, f"{plain_text(words)}, {said}")
+        elif edge is not None and edge.operation in self._changing:
+            said = self._changing[edge.operation]
+            item.setIcon(icon("layers", self._tokens, 12, self._tokens.acc))
+            item.setBackground(QBrush(self._tokens.sunk))
+            item.setToolTip(tip_text(f"{edge} {said}"))
             item.setData(Qt.ItemDataRole.AccessibleTextRole, f"{plain_text(words)}, {said}")
         self.list.addItem(item)
         if marked:

@@ -1,8 +1,9 @@
-"""The wires of the partial view: from the active state to the cards, and on to their targets."""
+"""The wires of the partial view: from the active state to the cards, and on to their targets. And
+the dots behind them."""
 
 from __future__ import annotations
 
-from PySide6.QtCore import QPointF, Qt
+from PySide6.QtCore import QPointF, QRect, Qt
 from PySide6.QtGui import QColor, QPainter, QPainterPath, QPen, QPolygonF
 
 from smsl_studio.front.views.partial import (
@@ -20,6 +21,8 @@ from smsl_studio.studio.base.paint.ink import faded, pen
 from smsl_studio.studio.base.theme import Tokens
 
 HEAD = 8.0
+DOTS = 16
+"""The distance of the dots of the background (pixels)."""
 LIT = (WAITS, RUNNING, PAUSED, NEXT)
 FAN = 5.0
 """Pixels between two wires where they leave the state."""
@@ -94,3 +97,12 @@ def fan(count: int) -> list[float]:
     """The vertical offsets from the middle at which so many wires leave the state (pixels)."""
     apart = min(FAN, 36.0 / max(count, 1))
     return [(at - (count - 1) / 2) * apart for at in range(count)]
+
+
+def draw_dots(painter: QPainter, rect: QRect, tokens: Tokens) -> None:
+    """Paint the dots of the background, 16 pixels apart."""
+    painter.setPen(Qt.PenStyle.NoPen)
+    painter.setBrush(tokens.dot)
+    for y in range(rect.top() // DOTS * DOTS, rect.bottom() + 1, DOTS):
+        for x in range(rect.left() // DOTS * DOTS, rect.right() + 1, DOTS):
+            painter.drawRect(x, y, 1, 1)

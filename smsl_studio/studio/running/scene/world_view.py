@@ -9,13 +9,9 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from time import perf_counter
 
-import numpy as np
 from PySide6.QtCore import QPointF, QRectF, QSizeF, Qt, QTimer, Signal
 from PySide6.QtGui import (
-    QColor,
-    QFontMetricsF,
     QImage,
-    QLinearGradient,
     QMouseEvent,
     QPainter,
     QPaintEvent,
@@ -27,7 +23,7 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QWidget
 
 from smsl_studio.legible import plain_text
-from smsl_studio.studio.base.theme import Tokens, mono_font, text_font
+from smsl_studio.studio.base.theme import Tokens, text_font
 from smsl_studio.studio.base.tips import tip_text
 from smsl_studio.studio.running.scene.camera import (
     VIEWS,
@@ -36,18 +32,24 @@ from smsl_studio.studio.running.scene.camera import (
     WorldCamera,
     box_of,
     own_corners,
-    placed,
 )
 from smsl_studio.studio.running.scene.ghost import GhostPlace
 from smsl_studio.studio.running.scene.ghost_paint import paint_ghost_words
-from smsl_studio.studio.running.scene.name_places import SMALL, free_place, is_aside
-from smsl_studio.studio.running.scene.plates import EDGE, PLATE, paint_plate, plates
+from smsl_studio.studio.running.scene.plates import (
+    EDGE,
+    PLATE,
+    paint_names,
+    paint_plate,
+    paint_sky,
+    plates,
+)
 from smsl_studio.studio.running.scene.renderer import (
     GhostPoses,
     Renderer,
     RenderStyle,
     open_renderer,
 )
+from smsl_studio.studio.running.scene.things_seen import Seen, thing_at, things_seen
 from smsl_studio.world.protocol import Shape
 
 LIMIT = 0.025
@@ -59,6 +61,8 @@ REST = 160
 class WorldView(QWidget):
     """Shows shapes at poses. ``show_poses`` costs little if nothing moved."""
 
+    thing_chosen = Signal(str)
+    """str: the person clicked on the thing with this name; empty for a click beside all."""
     drawn = Signal()
     """A new picture was drawn."""
     came_into_view = Signal()
@@ -79,6 +83,8 @@ class WorldView(QWidget):
         self._sentence = "Starts with the run"
         self._image: QImage | None = None
         self._drag: QPointF | None = None
+        self._pressed = QPointF()
+        self._offered, self._chosen = frozenset[str](), frozenset[str]()
         self._frames: list[float] = []
         self._fine = self._quick = True
         self.follows = False
@@ -88,9 +94,7 @@ class WorldView(QWidget):
         self.patient = False
         """Draw every picture smooth, however long it takes."""
         self._took = 0.0
-        self._rest = QTimer(self)
-        self._rest.setSingleShot(True)
-        self._rest.setInterval(REST)
+        self._rest = QTimer(self, singleShot=True, interval=REST)
         self._rest.timeout.connect(self._refine)
         self.setMinimumSize(240, 160)
         self.setAccessibleName("World")
@@ -110,7 +114,7 @@ class WorldView(QWidget):
         """Show another world. Without shapes a sentence says that there is nothing to draw."""
         self._shapes, self._poses, self._image = tuple(shapes), (), None
         self._ghost = None
-        self._corners = [own_corners(shape) if shape.label else None for shape in shapes]
+        self._know_corners()
         if not shapes:
             self._sentence = (
                 f"The {world} world has nothing to draw. The facts beside tell its state"
@@ -123,6 +127,24 @@ class WorldView(QWidget):
                 self._sentence = "No graphics here. The run goes on"
                 self.setToolTip(tip_text(f"OpenGL is not available: {self._renderer}"))
         self.update()
+
+    def offer_things(self, names: frozenset[str]) -> None:
+        """Let a click choose the things with these names."""
+        if names != self._offered:
+            self._offered = names
+            self._know_corners()
+
+    def show_chosen(self, names: frozenset[str]) -> None:
+        """Frame the things with these names."""
+        if names != self._chosen:
+            self._chosen = names
+            self.update()
+
+    def _know_corners(self) -> None:
+        names = self._offered
+        self._corners = [
+            own_corners(s) if s.label or s.name in names else None for s in self._shapes
+        ]
 
     def clear(self) -> None:
         """Show that there is no run."""
@@ -199,7 +221,7 @@ class WorldView(QWidget):
         made.setDevicePixelRatio(ratio)
         painter = QPainter(made)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        self._paint_sky(painter)
+        paint_sky(painter, self.rect(), self._tokens)
         painter.drawImage(self.rect(), self._renderer.draw(shown, self._camera, style))
         self._paint_labels(painter)
         painter.end()
@@ -239,13 +261,14 @@ class WorldView(QWidget):
         """Paint the picture and its labels; without OpenGL or poses paint a sentence."""
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        self._paint_sky(painter)
+        paint_sky(painter, self.rect(), self._tokens)
         if not self.has_picture or not self._poses:
             self._paint_sentence(painter)
             return
         image = self._image or self._render()
         painter.drawImage(self.rect(), image)
         self._paint_labels(painter)
+        self._paint_chosen(painter)
         if self._ghost is not None:
             room = QSizeF(self.size())
             paint_ghost_words(painter, room, self._camera, self._ghost, self._tool, self._tokens)
@@ -263,8 +286,8 @@ class WorldView(QWidget):
             self.set_view(self._named)
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
-        """Begin to turn or pan the camera."""
-        self._drag = event.position()
+        """Begin to turn or pan the camera, or to choose a thing."""
+        self._drag = self._pressed = event.position()
         self.setCursor(Qt.CursorShape.ClosedHandCursor)
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
@@ -280,7 +303,10 @@ class WorldView(QWidget):
             self._look(self._camera.orbited(moved.x() * 0.008, moved.y() * 0.008))
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
-        """End turning or panning."""
+        """End turning or panning. A click that moved nothing chooses the thing there."""
+        if self._drag is not None and self._pressed == event.position() and self._poses:
+            seen = [one for one in self._things_seen() if one[0].name in self._offered]
+            self.thing_chosen.emit(thing_at(event.position(), seen))
         self._drag = None
         self.unsetCursor()
 
@@ -329,13 +355,6 @@ class WorldView(QWidget):
             self._image = None
             self.update()
 
-    def _paint_sky(self, painter: QPainter) -> None:
-        sky = QLinearGradient(0, 0, 0, self.height())
-        top = self._tokens.win if self._tokens.dark else QColor("#e9edf3")
-        sky.setColorAt(0, top)
-        sky.setColorAt(1, self._tokens.canvas)
-        painter.fillRect(self.rect(), sky)
-
     def _paint_sentence(self, painter: QPainter) -> None:
         painter.setFont(text_font(13))
         painter.setPen(self._tokens.tx3)
@@ -344,38 +363,21 @@ class WorldView(QWidget):
         painter.drawText(room, flags, plain_text(self._sentence))
 
     def _paint_labels(self, painter: QPainter) -> None:
-        """Paint the names of things close to them, none over another or over a small thing. A line
-        leads from a name that has to stand aside to its thing."""
-        painter.setFont(mono_font(12, 600))
-        metrics = QFontMetricsF(painter.font())
         room = QRectF(self.rect()).adjusted(0, 0, 0, -(EDGE + PLATE + 4))
-        things = [(shape.label, seen) for shape, seen in self._things_seen()]
-        taken = [seen for _, seen in things if max(seen.width(), seen.height()) < SMALL]
-        for label, seen in things:
-            words, foot = plain_text(label), (seen.center().x(), seen.bottom())
-            wide = max(18.0, metrics.horizontalAdvance(words) + 10)
-            box = free_place(foot, wide, taken, room)
-            taken.append(box)
-            if is_aside(box, foot):
-                painter.setPen(QPen(self._tokens.tx3, 1.0))
-                painter.drawLine(box.center(), seen.center())
-            paint_plate(painter, box, words, self._tokens.tx, self._tokens)
+        things = [(shape.label, seen) for shape, seen in self._things_seen() if shape.label]
+        paint_names(painter, things, room, self._tokens)
 
-    def _things_seen(self) -> Iterator[tuple[Shape, QRectF]]:
-        """Yield the things with a label, each with what it covers of the picture. What is below the
-        ground is left out."""
-        for index, (shape, corners) in enumerate(zip(self._shapes, self._corners, strict=True)):
-            if corners is None or len(self._poses) < 7 * index + 7:
-                continue
-            world = placed(corners, self._poses[7 * index : 7 * index + 7])
-            world[:, 2] = np.maximum(world[:, 2], 0.0)
-            pixels = self._camera.pixels(world, self.width(), self.height())
-            if pixels is None:
-                continue
-            (left, top), (right, bottom) = pixels.min(axis=0), pixels.max(axis=0)
-            seen = QRectF(left, top, max(right - left, 1.0), max(bottom - top, 1.0))
-            if seen.intersects(QRectF(self.rect())):
-                yield shape, seen
+    def _things_seen(self) -> Iterator[Seen]:
+        """Yield the things that have a label or can be chosen, each with what it covers."""
+        size = QSizeF(self.size())
+        return things_seen(self._shapes, self._corners, self._poses, self._camera, size)
+
+    def _paint_chosen(self, painter: QPainter) -> None:
+        """Paint a frame around each chosen thing."""
+        painter.setBrush(Qt.BrushStyle.NoBrush)
+        painter.setPen(QPen(self._tokens.acc, 2.0))
+        for seen in (seen for shape, seen in self._things_seen() if shape.name in self._chosen):
+            painter.drawRoundedRect(seen.adjusted(-5, -5, 5, 5), 6, 6)
 
     def _paint_chips(self, painter: QPainter) -> None:
         painter.setFont(text_font(12))

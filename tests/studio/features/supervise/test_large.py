@@ -16,6 +16,7 @@ from smsl_studio.studio.features.supervise.large_words import (
     BAD,
     GOOD,
     LargeFact,
+    LargeRun,
     LargeWords,
     large_words,
 )
@@ -29,19 +30,22 @@ VIEW = partial_view(SAMPLE, HERE, "SB1")
 
 def test_it_says_where_the_run_stands_and_what_comes_next() -> None:
     told = CardForecast(EDGE, agrees=False, words="Fact 2 will be b")
-    words = large_words(SAMPLE, HERE, VIEW, EDGE, told, "paused")
+    run = LargeRun(SAMPLE, HERE, "paused")
+    words = large_words(run, VIEW, EDGE, told)
     assert (words.phase, words.state, words.ahead) == ("Paused", "State_ba", "Op_2c")
     assert words.target == "to State_bc"
     assert words.forecast == ("Forecast differs: fact 2 will be b", BAD)
     assert [one.name for one in words.facts] == ["Fact 1", "Fact 2"]
     assert "State_ba" in words.said
     other = CardForecast(Address("SB1", "State_ba", "Op_1a"), agrees=True)
-    assert large_words(SAMPLE, HERE, VIEW, EDGE, other, "paused").forecast[0] == ""
+    assert large_words(run, VIEW, EDGE, other).forecast[0] == ""
     held = replace(HERE, sentence="nothing leads to the goal")
-    assert large_words(SAMPLE, held, VIEW, None, None, "no_route").question == held.sentence
-    over = large_words(SAMPLE, HERE, VIEW, EDGE, told, "held", over=True, sentence="it ended")
+    no_route = LargeRun(SAMPLE, held, "no_route")
+    assert large_words(no_route, VIEW, None, None).question == held.sentence
+    ended = LargeRun(SAMPLE, HERE, "held", over=True, sentence="it ended")
+    over = large_words(ended, VIEW, EDGE, told)
     assert (over.question, over.ahead) == ("It ended.", "")
-    assert "F5" in large_words(None, None, None, None, None, "").question
+    assert "F5" in large_words(LargeRun(None, None, ""), None, None, None).question
 
 
 def test_a_fact_that_does_not_agree_is_never_left_out_for_one_that_does(qtbot: QtBot) -> None:
