@@ -47,11 +47,26 @@ class Explored:
 
 
 @dataclass
-class _Finding:
-    """The states that were found, in order, and where the operations lead."""
+class ExploredRows:
+    """The states that were found, in order, and where the operations of those that were tried lead.
+    ``bound`` says that there are further states."""
 
     rows: dict[Values, dict[str, Values]] = field(default_factory=dict)
     bound: bool = False
+
+    def add(self, values: Values, row: Mapping[str, Values], limit: int) -> list[Values]:
+        """Add what was tried in a state. Return the states that are new."""
+        new: list[Values] = []
+        own = self.rows.setdefault(values, {})
+        for name, target in row.items():
+            if target not in self.rows:
+                if len(self.rows) >= limit:
+                    self.bound = True
+                    continue
+                self.rows[target] = {}
+                new.append(target)
+            own[name] = target
+        return new
 
 
 def generate_explore(
@@ -64,14 +79,16 @@ def generate_explore(
     going: Callable[[int, int], None] | None = None,
     robot: str = "",
     part: Path | None = None,
+    tried: Callable[[Values, Mapping[str, Values]], None] | None = None,
 ) -> Explored:
     """Return the blueprint of a world: all states that its operations reach, from a start on.
 
     ``start`` gives INITIAL, the facts with their values, and what binds them. An operation is an
     edge if its function returned in all ``repeats`` (with the seeds 0, 1, ...), the source was true
     before, and the same facts were read afterwards: known values that ``start`` has, and not those
-    of the source. ``going`` is told the numbers of states that are done and found. ``part`` is a
-    file that keeps what was tried: an exploration that was broken off goes on from there.
+    of the source. ``going`` is told the numbers of states that are done and found, ``tried`` the
+    values of each state that is done and where its operations lead. ``part`` is a file that keeps
+    what was tried: an exploration that was broken off goes on from there.
 
     UsageError for a world without operations of its own. PlanningError for several SBs. WorldError
     for a world that does not exist or does not suit.
@@ -99,10 +116,10 @@ def generate_explore(
     head = exploration_head(request, names, repeats) if part is not None else ""
     kept = ExploredPart(part, head)
     try:
-        found = _explored(attempts, branch, limit, kept, going)
+        found = _explored(attempts, branch, limit, kept, going, tried)
     finally:
         kept.close()
-    return Explored(_generated(found, branch, start, world), found.bound)
+    return Explored(explored_blueprint(found, start, world), found.bound)
 
 
 def start_of_values(text: str, world: str, plugin_paths: Sequence[Path] = ()) -> Blueprint:
@@ -273,10 +290,11 @@ def _explored(
     limit: int,
     kept: ExploredPart,
     going: Callable[[int, int], None] | None,
-) -> _Finding:
+    tried: Callable[[Values, Mapping[str, Values]], None] | None,
+) -> ExploredRows:
     """Try all operations in all states that are found, breadth first."""
     start = branch.facts(branch.initial)
-    found = _Finding({start: {}})
+    found = ExploredRows({start: {}})
     queue = deque([start])
     done = 0
     while queue:
@@ -285,21 +303,18 @@ def _explored(
         if row is None or not attempts.may_give(row):
             row = attempts.row(values)
             kept.keep(values, row)
-        for name, target in row.items():
-            if target not in found.rows:
-                if len(found.rows) >= limit:
-                    found.bound = True
-                    continue
-                found.rows[target] = {}
-                queue.append(target)
-            found.rows[values][name] = target
+        queue.extend(found.add(values, row, limit))
         done += 1
+        if tried is not None:
+            tried(values, row)
         if going is not None:
             going(done, len(found.rows))
     return found
 
 
-def _generated(found: _Finding, branch: StateBranch, start: Blueprint, world: str) -> Generated:
+def explored_blueprint(found: ExploredRows, start: Blueprint, world: str) -> Generated:
+    """Return the blueprint of what was found so far, from the INITIAL state of ``start`` on."""
+    (branch,) = start
     known = {branch.facts(name): name for name in reversed(branch.table)}
     names = {values: known.get(values, "State_" + "".join(values)) for values in found.rows}
     goal = branch.facts(branch.activating)

@@ -22,11 +22,12 @@ from smsl_studio.studio.features.inspection.feature import InspectionFeature
 from smsl_studio.studio.features.merge.feature import MergeFeature
 from smsl_studio.studio.features.monitor.feature import MonitorFeature
 from smsl_studio.studio.features.people.feature import PeopleFeature
+from smsl_studio.studio.features.physics.feature import PhysicsFeature
 from smsl_studio.studio.features.replay.feature import ReplayFeature
 from smsl_studio.studio.features.replay.watched import Watched
 from smsl_studio.studio.features.review.feature import ReviewFeature
 from smsl_studio.studio.features.room.feature import RoomFeature
-from smsl_studio.studio.features.rules.feature import RulesFeature
+from smsl_studio.studio.features.rules.feature import BY_RULES, RulesFeature
 from smsl_studio.studio.features.run.feature import RunFeature
 from smsl_studio.studio.features.settings.feature import SettingsFeature
 from smsl_studio.studio.features.start.feature import StartFeature
@@ -82,6 +83,7 @@ class Features(QObject):
         self.approval.store.told = self.draw.library.set_stored
         self.merge = MergeFeature(parts, shell)
         self.rules = RulesFeature(parts, shell)
+        self.physics = PhysicsFeature(parts, shell, BY_RULES)
         self.start = StartFeature(parts, shell)
         self.help = HelpFeature(parts, shell, lambda: self.draw.findings.chosen_rule)
         self.settings = SettingsFeature(parts, shell)
@@ -116,7 +118,7 @@ class Features(QObject):
 
     def __iter__(self) -> Iterator[Feature]:
         yield from (self.draw, self.inspection, self.approval, self.merge, self.branch_map)
-        yield self.rules
+        yield from (self.rules, self.physics)
         yield from (self.start,)
         yield from (self.exchange, self.export, self.run, self.supervise, self.review)
         yield from (self.people, self.monitor, self.room, self.campaign)
@@ -273,7 +275,7 @@ class Features(QObject):
         self.end_run()
         for feature in (
             self.replay, self.export, self.exchange, self.approval, self.review, self.merge,
-            self.rules, self.campaign,
+            self.rules, self.physics, self.campaign,
             self.inspection, self.draw, self.start,
         ):  # fmt: skip
             feature.stop()

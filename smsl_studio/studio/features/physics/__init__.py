@@ -1,0 +1,1 @@
+"""The page Physics: a simulated world is tried out while one watches."""
