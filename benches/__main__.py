@@ -42,6 +42,7 @@ BENCHES = (
     "fuzz",
     "exchange",
     "generation",
+    "explored",
     "learn",
     "find",
     "journal",

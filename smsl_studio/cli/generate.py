@@ -27,7 +27,7 @@ _FILES = {"rules": ("RULES.toml",), "pddl": ("DOMAIN", "PROBLEM"), "explore": ()
 """What stands behind each word."""
 _OPTIONS = {
     "rules": ("limit",),
-    "explore": ("world", "robot", "start", "repeats", "limit", "against"),
+    "explore": ("world", "robot", "start", "repeats", "rates", "limit", "against"),
     "code": ("bindings", "name", "record", "licence", "check"),
     "text": TEXT_OPTIONS,
 }
@@ -60,6 +60,11 @@ def add_arguments(parser: ArgumentParser) -> None:
     )
     explore.add_argument(
         "--repeats", type=_count, metavar="N", help="how often each operation must succeed (1)"
+    )
+    explore.add_argument(
+        "--rates",
+        action="store_true",
+        help="keep what works in some of the repeats, with its cost and risk, and failure states",
     )
     explore.add_argument(
         "--limit",
@@ -137,15 +142,27 @@ def _explore(options: argparse.Namespace, out: Output) -> int:
     other = None if options.against is None else read_argument(options.against)
     limit = options.limit or LIMIT
     repeats, robot = options.repeats or 1, options.robot or ""
+    if options.rates and repeats < 2:
+        raise UsageError(
+            "--rates needs several attempts with each operation", advice="Add --repeats 10."
+        )
     part = Path(f"{options.output}.part")
     found = generate_explore(
-        start, options.world, repeats=repeats, limit=limit, robot=robot, part=part
+        start,
+        options.world,
+        repeats=repeats,
+        limit=limit,
+        robot=robot,
+        part=part,
+        rates=options.rates,
     )
     made = found.generated
     _save(options, made, [*inputs_of(start), *(inputs_of(other) if other else ())])
     part.unlink(missing_ok=True)
     if found.bound:
         note(f"there are more than {limit:,} states; what leads to them is left out")
+    for address, worked in found.rates.items():
+        note(one_line(f"{address}: worked in {worked} of {repeats}"))
     if other is not None:
         return _compared(options, out, against(made.blueprint, other))
     _tell(options, out, made)

@@ -59,9 +59,14 @@ def proposals(blueprint: Blueprint, tally: CampaignTally) -> tuple[RateProposal,
         lost = 1.0 - share.reached / share.runs
         before = branch.cost(address.state, address.operation)
         cost = round(before * (2.0 - smooth / share.runs), 2)
-        risk = "high" if lost >= HIGH else "medium" if lost >= MEDIUM else "low"
+        risk = risk_word(lost)
         found.append(RateProposal(address, share, smooth, before, cost, note.risk or "", risk))
     return tuple(found)
+
+
+def risk_word(lost: float) -> str:
+    """Return the risk of an operation that fails in this share of its attempts."""
+    return "high" if lost >= HIGH else "medium" if lost >= MEDIUM else "low"
 
 
 def with_rates(blueprint: Blueprint, chosen: Sequence[RateProposal]) -> Blueprint:

@@ -15,20 +15,22 @@ import signal
 import subprocess
 import sys
 import tempfile
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.errors import StudioError, UsageError, WorldError
+from smsl_studio.front.attempts import TriedState, Values
+from smsl_studio.front.explored_part import tried_line, tried_of_line
 from smsl_studio.front.inputs import read
-from smsl_studio.front.physics import LIMIT, Values, generate_explore
+from smsl_studio.front.physics import LIMIT, generate_explore
 from smsl_studio.host.started_child import environment_of_child
 from smsl_studio.stop import Stopped, heed, heeding
 
 Json = Any
-Tried = Callable[[Values, Mapping[str, Values]], None]
+Tried = Callable[[Values, TriedState], None]
 WAIT = 0.05
 """The longest time (s) between two looks whether the exploration is still wanted."""
 AT_ONCE = 1 << 16
@@ -101,7 +103,10 @@ class ExplorationChild:
                 raise UsageError(words, advice=advice)
             if "end" in told:
                 return
-            tried(*_row_of(told))
+            row = tried_of_line(told)
+            if row is None:
+                raise _dead()
+            tried(*row)
         raise _dead()
 
     def _lines(self) -> Iterator[dict[str, Json]]:
@@ -124,20 +129,6 @@ class ExplorationChild:
                 if not isinstance(told, dict):
                     raise _dead()
                 yield told
-
-
-def _row_of(told: dict[str, Json]) -> tuple[Values, dict[str, Values]]:
-    """Return the values of a state, and where its operations lead. WorldError if it is nonsense."""
-    values, row = told.get("state"), told.get("row")
-    if not _are_values(values) or not isinstance(row, dict):
-        raise _dead()
-    if not all(_are_values(one) and len(one) == len(values) for one in row.values()):
-        raise _dead()
-    return tuple(values), {name: tuple(target) for name, target in row.items()}
-
-
-def _are_values(told: Json) -> bool:
-    return isinstance(told, list) and all(isinstance(one, str) and one for one in told)
 
 
 def _dead() -> WorldError:
@@ -178,7 +169,7 @@ def serve() -> None:
                 limit=asked["limit"],
                 plugin_paths=[Path(one) for one in asked["plugin_paths"]],
                 part=Path(asked["part"]),
-                tried=lambda values, row: tell(state=values, row=row),
+                tried=lambda values, tried: tell(**tried_line(values, tried)),
             )
         tell(end={"bound": found.bound})
     except Stopped:

@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import IO, Any, TypeGuard
 
 from smsl_studio.errors import SaveError, UsageError
+from smsl_studio.front.attempts import TriedState, Values
 from smsl_studio.front.request import RunRequest
 from smsl_studio.front.version import version
 from smsl_studio.front.world_codes import surveyed
@@ -21,8 +22,6 @@ from smsl_studio.smsl.files import read_content
 from smsl_studio.smsl.json_form import write_json
 
 Json = Any
-Values = tuple[str, ...]
-Row = dict[str, Values]
 
 
 class ExploredPart:
@@ -32,14 +31,14 @@ class ExploredPart:
     """
 
     def __init__(self, path: Path | None, head: str) -> None:
-        self.known: dict[Values, Row] = {}
+        self.known: dict[Values, TriedState] = {}
         self._path, self._head = path, head
         self._file: IO[str] | None = None
         self._begun = path is not None and path.exists() and self._read(path)
 
-    def keep(self, values: Values, row: Row) -> None:
-        """Keep the row of a state. SaveError if that is not possible."""
-        self.known[values] = row
+    def keep(self, values: Values, tried: TriedState) -> None:
+        """Keep what was tried in a state. SaveError if that is not possible."""
+        self.known[values] = tried
         if self._path is None:
             return
         try:
@@ -47,7 +46,7 @@ class ExploredPart:
                 self._file = self._path.open("a" if self._begun else "w", encoding="ascii")
                 # A line that was cut ends here.
                 self._file.write("\n" if self._begun else json.dumps({"head": self._head}) + "\n")
-            self._file.write(json.dumps({"state": values, "row": row}) + "\n")
+            self._file.write(json.dumps(tried_line(values, tried)) + "\n")
             self._file.flush()
         except OSError as error:
             words = error.strerror or str(error)
@@ -73,21 +72,42 @@ class ExploredPart:
         if first != {"head": self._head}:
             return False
         for line in lines:
-            values: Json = line.get("state")
-            row = line.get("row")
-            if _texts(values) and isinstance(row, dict) and all(map(_texts, row.values())):
-                own = {name: tuple(target) for name, target in row.items()}
-                if all(len(target) == len(values) for target in own.values()):
-                    self.known[tuple(values)] = own
+            if (told := tried_of_line(line)) is not None:
+                self.known[told[0]] = told[1]
         return True
 
 
-def exploration_head(request: RunRequest, names: Sequence[str], repeats: int) -> str:
+def tried_line(values: Values, tried: TriedState) -> dict[str, Json]:
+    """Return what was tried in a state as JSON."""
+    line: dict[str, Json] = {"state": values, "row": tried.row}
+    if tried.rates:
+        line |= {"rates": tried.rates, "lost": list(tried.lost)}
+    return line
+
+
+def tried_of_line(line: dict[str, Json]) -> tuple[Values, TriedState] | None:
+    """Return the values of a state and what was tried there, None if the line is nonsense."""
+    values, row = line.get("state"), line.get("row")
+    rates, lost = line.get("rates", {}), line.get("lost", [])
+    if not (_texts(values) and isinstance(row, dict) and all(map(_texts, row.values()))):
+        return None
+    if not (isinstance(lost, list) and all(map(_texts, lost)) and isinstance(rates, dict)):
+        return None
+    if any(len(one) != len(values) for one in (*row.values(), *lost)):
+        return None
+    if any(name not in row or type(worked) is not int for name, worked in rates.items()):
+        return None
+    own = {name: tuple(target) for name, target in row.items()}
+    return tuple(values), TriedState(own, rates, dict.fromkeys(map(tuple, lost)))
+
+
+def exploration_head(request: RunRequest, names: Sequence[str], repeats: int, rates: bool) -> str:
     """Return the digest of everything on which the rows of an exploration depend."""
     survey = surveyed(request.blueprint, request.world, request.plugin_paths)
     start = write_json({one.name: dict(one.fields) for one in request.blueprint})
     facts = [[one.name, one.alphabet, one.num_facts] for one in request.blueprint]
     parts = [version(), request.world, request.robot, survey.code, survey.bindings, names, repeats]
+    parts += ["rates"] if rates else []
     return sha256_hex(json.dumps([*parts, start, facts], default=str).encode())
 
 

@@ -134,5 +134,7 @@ def test_physics_is_asked_with_a_world_and_a_start(
     assert shell(*words, "--against", str(same)).out == "6 edges\n"
     assert shell(*words, "--limit", "2").status == 1
     assert shell(*words, "--repeats", "0").status == 2
+    assert "--rates needs several attempts" in shell(*words, "--rates").err
+    assert shell(*words, "--rates", "--repeats", "2").status == 0
     assert shell("generate", "explore", "--world", "switches", "-o", str(out)).status == 2
     assert shell("generate", "rules", RIVER, "--world", "table", "-o", str(out)).status == 2

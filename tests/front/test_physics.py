@@ -9,10 +9,11 @@ import pytest
 import smsl_studio as smsl
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.errors import PlanningError, PluginError, UsageError, WorldError
+from smsl_studio.front.attempts import bound_names
 from smsl_studio.front.hosts import known_world
 from smsl_studio.front.physics import (
+    Explored,
     against,
-    bound_names,
     generate_explore,
     start_of_values,
 )
@@ -214,3 +215,69 @@ def test_values_are_a_start_where_the_world_declares_them(paths: tuple[Path, ...
         start_of_values("00", "table")
     for world, values in (("hanoi", "aaa"), ("river", "0000"), ("chess", "0B1B")):
         assert start_of_values(values, world)["SB1"].num_facts in (2, 3, 4)
+
+
+LATCH = """
+def register(library):
+    @library.world("latch", engine="table", settle=0.1, values=("0", "1"))
+    def build(world, blueprint, seed):
+        (world.sb,) = (branch.name for branch in blueprint)
+        world.bad = seed % 4 == 1
+
+    @library.arrange("latch")
+    def arrange(world, facts):
+        world.set_facts(facts)
+
+    @library.sensor("latch", fact="1", period=0.1)
+    def latch(world):
+        return world.fact(world.sb, 0)
+
+    @library.operation("Op_close")
+    def close(world):
+        yield
+        world.set_facts({(world.sb, 0): "j" if world.bad else "1"})
+        return not world.bad
+
+    @library.operation("Op_open")
+    def open_it(world):
+        yield
+        world.set_facts({(world.sb, 0): "0"})
+"""
+
+
+def test_what_sometimes_fails_gets_its_rate_and_its_failure_state(tmp_path: Path) -> None:
+    write_plugin(tmp_path, "latch", LATCH)
+    door = blueprint_of(
+        {
+            "DOOR": {
+                "HEADER": {"INITIAL": "State_0", "ACTIVATING": "State_1", "NUM_FACTS": 1},
+                "_facts": {"0": {"name": "door"}},
+                "State_0": {},
+                "State_1": {},
+            }
+        }
+    )
+    part = tmp_path / "door.json.part"
+
+    def explored(rates: bool) -> Explored:
+        return generate_explore(
+            door, "latch", plugin_paths=(tmp_path,), repeats=4, rates=rates, part=part
+        )
+
+    assert table_of(explored(rates=False).generated.blueprint) == {"State_0": {}}
+    for again in (False, True):
+        told = explored(rates=True)
+        made = told.generated.blueprint
+        assert told.rates == {"DOOR/State_0/Op_close": 3}, again
+        assert table_of(made) == {
+            "State_0": {"Op_close": "State_1"}, "State_1": {"Op_open": "State_0"}, "State_j": {},
+        }  # fmt: skip
+        branch = made["DOOR"]
+        assert branch.cost("State_0", "Op_close") == 1.25
+        assert branch.operation_note("State_0", "Op_close").risk == "medium"
+        assert branch.operation_note("State_1", "Op_open").risk is None
+        assert made.document.values["DOOR"]["_facts"]["0"] == {"name": "door", "failure": ["j"]}
+    kept = part.read_bytes()
+    assert kept.count(b"\n") == 3, "the second time nothing was tried"
+    part.write_bytes(kept.replace(b'"Op_close": 3', b'"Op_close": 9'))
+    assert explored(rates=True).rates == {"DOOR/State_0/Op_close": 3}, "it was tried anew"

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Mapping
 from contextlib import closing
 
 from PySide6.QtCore import QObject, QTimer, Signal
 
 from smsl_studio.errors import StudioError
+from smsl_studio.front.attempts import TriedState, Values
 from smsl_studio.front.exploration_child import ExplorationChild, ExplorationRequest
-from smsl_studio.front.physics import ExploredRows, Values
+from smsl_studio.front.physics import ExploredRows
 from smsl_studio.studio.base.beside import Beside
 
 NONE, RUNNING, PAUSED, DONE = "", "running", "paused", "done"
@@ -33,7 +33,7 @@ class PhysicsWork(QObject):
         self.request: ExplorationRequest | None = None
         self.found, self.tried = ExploredRows(), 0
         self._beside = Beside(self)
-        self._heard: deque[tuple[Values, Mapping[str, Values]]] = deque()
+        self._heard: deque[tuple[Values, TriedState]] = deque()
         self._timer = QTimer(self)
         self._timer.setInterval(LOOK)
         self._timer.timeout.connect(self._take)
