@@ -43,6 +43,12 @@ BLOCKS: dict[str, tuple[float, float]] = {
 }
 """The middle of each block (m)."""
 
+NEAR = {
+    block: tuple(one for one, at in BLOCKS.items() if 0 < math.dist(at, middle) < 1.2 * PITCH)
+    for block, middle in BLOCKS.items()
+}
+"""The blocks beside each block."""
+
 BOTTOM, TOP = "B", "T"
 HELD, NOWHERE = "hh", "xx"
 PLACES = tuple(block + layer for block in BLOCKS for layer in (BOTTOM, TOP))

@@ -21,6 +21,7 @@ from .board import (
     GROUND,
     HEIGHT,
     HELD,
+    NEAR,
     NOWHERE,
     PIECES,
     PITCH,
@@ -40,8 +41,8 @@ Work = Generator[None, None, bool]
 
 
 def bring(board: Board, piece: str, block: str) -> Work:
-    """Move a piece to a block, or onto the piece that stands there. Return False if the other piece
-    stands on it, if it lies, or if the grasp fails.
+    """Move a piece to the next block, or onto the piece that stands there. Return False if the
+    block is further away, if the other piece stands on it, if it lies, or if the grasp fails.
 
     A piece that stands there already is not moved. Nothing moves while the hand holds the other.
     """
@@ -50,7 +51,7 @@ def bring(board: Board, piece: str, block: str) -> Work:
         return True
     if board.reading(board.other(piece)) == HELD:
         return False
-    if reading == NOWHERE or not board.is_free(piece):
+    if reading == NOWHERE or block not in NEAR.get(reading[0], ()) or not board.is_free(piece):
         return False
     place = board.place_on(piece, block)
     return (yield from move(board.world, piece, board.grasp(piece, place), place))

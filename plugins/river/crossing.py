@@ -160,6 +160,33 @@ def impossible(places: Sequence[str]) -> str:
     return FULL if places.count("B") > len(SEATS["B"]) else ""
 
 
+BOTH = ("grass", "wolf")
+"""What the sheep eats, and what eats the sheep."""
+
+
+def forbidden(places: Mapping[str, str], item: str, value: str) -> str:
+    """Return why nobody may bring an item to a place now, or the empty text.
+
+    The boat lies where Steve is. Two can be in it, and one of two is Steve. He leaves no sheep
+    alone with the grass or the wolf.
+    """
+    steve = places["steve"]
+    bank = value if value != "B" else places[item]
+    if item != "steve" and steve not in ("B", bank):
+        return "the boat lies at the other bank"
+    after = {**places, item: value}
+    aboard = list(after.values()).count("B")
+    if aboard > 2:
+        return FULL
+    if aboard == 2 and after["steve"] != "B":
+        return "one of two in the boat is Steve"
+    sheep = after["sheep"]
+    if sheep in ("0", "1") and after["steve"] != sheep:
+        eaten = next((one for one in BOTH if after[one] == sheep), "")
+        return f"sheep and {eaten} would be alone" if eaten else ""
+    return ""
+
+
 def _item(name: str, place: Vector, colour: Vector) -> Body:
     """Return an item: a block that looks like a figure with a head."""
     half = HEIGHT / 2

@@ -2,8 +2,8 @@
 task families from publications of the paper's authors).
 
 Each fact is the place of an item: ``0`` the red land, ``B`` the boat, ``1`` the green land. An item
-in the hand reads ``h``; one that does not stand at a place reads ``x``. What may be moved when is a
-matter of the blueprint: the world only moves.
+in the hand reads ``h``; one that does not stand at a place reads ``x``. An operation fails at once
+if the crossing forbids it: the boat lies where Steve is, and nobody may be eaten.
 """
 
 from __future__ import annotations
@@ -15,7 +15,16 @@ from smsl_studio.world.arms.panda import ARM
 from smsl_studio.world.grasps import move
 from smsl_studio.world.mishaps import Fault, drop, grease, one_of, seize, topple
 
-from .crossing import BANKS, GRASP, HELD, ITEMS, NOWHERE, PLACES, Crossing, stations_of
+from .crossing import (
+    BANKS,
+    GRASP,
+    HELD,
+    ITEMS,
+    PLACES,
+    Crossing,
+    forbidden,
+    stations_of,
+)
 from .sensors import register_sensors
 
 if TYPE_CHECKING:
@@ -26,26 +35,30 @@ if TYPE_CHECKING:
 Work = Generator[None, None, bool]
 
 
-def bring(crossing: Crossing, item: str, value: str) -> Work:
-    """Move an item to a place. Return False if there is no room, or if the grasp fails.
+def bring(crossing: Crossing, item: str, start: str, value: str) -> Work:
+    """Move an item from a place to the next one. Return False if it is not there, if the crossing
+    forbids it, if there is no room, or if the grasp fails.
 
     An item that stands there already is not moved. Nothing moves while the hand holds another one.
     """
-    if crossing.reading(item) == value:
+    places = {one: crossing.reading(one) for one in ITEMS}
+    if places[item] == value:
         return True
-    if any(crossing.reading(other) == HELD for other in ITEMS if other != item):
+    if any(places[other] == HELD for other in ITEMS if other != item):
+        return False
+    if places[item] != start or forbidden(places, item, value):
         return False
     place = crossing.seat(item, value)
-    if place is None or crossing.reading(item) == NOWHERE:
+    if place is None:
         return False
     return (yield from move(crossing.world, item, GRASP, place))
 
 
-def step(item: str, value: str) -> Callable[[Crossing], Work]:
+def step(item: str, start: str, value: str) -> Callable[[Crossing], Work]:
     """Return the function of the operation that moves an item to a place."""
 
     def carried(crossing: Crossing) -> Work:
-        return (yield from bring(crossing, item, value))
+        return (yield from bring(crossing, item, start, value))
 
     return carried
 
@@ -100,6 +113,6 @@ def register(library: OperationLibrary) -> None:
     for item in ITEMS:
         for start, end in (("0", "B"), ("B", "0"), ("B", "1"), ("1", "B")):
             name = f"move_{item}_from_{PLACES[start]}_to_{PLACES[end]}"
-            library.operation(name, stop="hold", timeout=30.0)(step(item, end))
+            library.operation(name, stop="hold", timeout=30.0)(step(item, start, end))
     for fault in (gripper_opens, slippery, toppled, third_aboard, seized_joint, weak_grip):
         library.fault("river", fault.__name__)(fault)

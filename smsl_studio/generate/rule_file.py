@@ -130,10 +130,13 @@ class _RuleFile:
             if name in facts or len(set(texts)) < len(texts):
                 raise self._fault(f"the fact {name}, or one of its values, stands twice", name)
             facts[name] = texts
-        if len({len(value) for values in facts.values() for value in values}) > 1:
+        every = [value for values in facts.values() for value in values]
+        other = next((value for value in every if len(value) != len(every[0])), None)
+        if other is not None:
             raise self._fault(
-                "all values must have the same number of characters", "values",
-                "The name of a state is made of them.",
+                "all values must have the same number of characters: "
+                f"{_short(every[0])} and {_short(other)} have not", "values",
+                "The name of a state is made of them. Take short ones, such as 0, 1 and B.",
             )  # fmt: skip
         return facts
 
@@ -259,8 +262,9 @@ class _RuleFile:
         try:
             return condition(self._replaced(written, given, near), facts)
         except FormulaError as error:
+            advice = _advice_of_braces(error, given) or error.advice
             raise self._fault(
-                f"the condition {_short(written)}: {error.sentence}", near, error.advice,
+                f"the condition {_short(written)}: {error.sentence}", near, advice,
                 error.instead, 0 if "{" in written else error.at,
             ) from None  # fmt: skip
 
@@ -328,6 +332,17 @@ class _RuleFile:
 _FACTS = 'Write facts = [{name = "disk 1", values = ["a", "b"]}].'
 _CASES = 'Write cases = [{when = "a = 0", set = {a = "1"}}].'
 _FOR = 'Write for = {x = ["a", "b"]}.'
+
+
+def _advice_of_braces(error: FormulaError, given: Mapping[str, str]) -> str:
+    """Return what to do where a value of ``for`` stands in the place of a fact and is none."""
+    name = next((name for name, value in given.items() if f"fact {value!r}" in error.sentence), "")
+    if not name:
+        return ""
+    return (
+        f"Here {{{name}}} stands for {given[name]}, and that is no fact. Where operations differ, "
+        "write a rule for each."
+    )
 
 
 def _short(text: str) -> str:

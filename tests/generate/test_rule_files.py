@@ -126,6 +126,8 @@ cases = [{{when = "a = 0", set = {{a = "1"}}}}, {{set = {{a = "0"}}}}]
         (HEAD + RULE.replace('set = {a = "1"}', 'set = {a = "9"}'), 5, "has no value '9'"),
         (HEAD + RULE + RULE, 4, "the operation flip is made twice"),
         (HEAD.replace('"1"]}, {', '"11"]}, {') + RULE, 1, "the same number of characters"),
+        (HEAD + RULE.replace("flip", "{x}").replace("cases", 'for = {x = ["go"]}\ncases')
+         .replace("a = 0", "{x} = go"), 6, "there is no fact 'go'"),
         (HEAD + "[[rule]]\noperation = 'x'\ncases = 3\n", 4, "has no list of cases"),
         (HEAD + "[[rule]]\noperation = 'x'\nfor = 3\ncases = [{set = {}}]\n", 4, "is no table"),
         ("a = [" * 200, 1, "this is no TOML"),
@@ -160,6 +162,13 @@ def test_a_wrong_file_is_one_error_with_its_line(text: str, line: int, words: st
         rules(text)
     assert told.value.place is not None
     assert told.value.place.line == line
+
+
+def test_a_value_in_the_place_of_a_fact_is_told_by_its_braces() -> None:
+    text = HEAD + RULE.replace("flip", "{x}").replace("cases", 'for = {x = ["go"]}\ncases')
+    with pytest.raises(ReadError) as told:
+        rules(text.replace("a = 0", "{x} = go"))
+    assert told.value.advice.startswith("Here {x} stands for go, and that is no fact.")
 
 
 def test_bytes_that_are_no_text_and_files_that_are_large_are_refused() -> None:

@@ -151,6 +151,28 @@ def test_differences_to_the_drawing_are_taken_refused_and_undone(at: AtRules) ->
     assert "1 difference refused" in side.why.text()
 
 
+def test_what_was_refused_is_kept_with_the_drawing(sit: Sit, tmp_path: Path) -> None:
+    person = sit(SAMPLES / "hanoi.json")
+    person.window.actions_table["complete_drawing"].trigger()
+    at = AtRules(person)
+    person.until(lambda: at.has_differences(4))
+    side, path = at.page.side, person.window.files.path
+    assert path is not None
+    person.click(side.refuse)
+    assert at.has_differences(3)
+    assert not side.again.isHidden()
+    person.window.open_path(SAMPLES / "hanoi-2.json")
+    person.until(lambda: side.refused == set())
+    person.window.open_path(path)
+    person.until(lambda: len(side.refused) == 1)
+    person.until(lambda: at.has_differences(3))
+    person.click(side.again)
+    assert at.has_differences(4)
+    person.window.open_path(SAMPLES / "hanoi-2.json")
+    person.window.open_path(path)
+    assert side.refused == set()
+
+
 def test_the_rules_of_a_drawing_are_learnt(sit: Sit) -> None:
     person = sit(SAMPLES / "hanoi.json")
     at = AtRules(person)

@@ -14,6 +14,7 @@ from smsl_studio.studio.base.late_part import LatePart
 from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.base.words import counted
 from smsl_studio.studio.document.files.opened_file import OpenedFile
+from smsl_studio.studio.features.rules.refusals import keep_refusals, refusals_of
 from smsl_studio.studio.features.rules.rules_file import ENDING, RulesFile, first_text
 from smsl_studio.studio.running.window_parts import WindowParts
 
@@ -103,7 +104,22 @@ class RulesFeature(Feature):
         page.save_wanted.connect(self.save)
         page.learn_wanted.connect(self._learn)
         page.write_wanted.connect(self._write)
+        page.side.refusals_changed.connect(self._keep_refusals)
+        self._parts.session.opened.connect(self._show_refusals)
+        self._parts.files.changed.connect(self._keep_refusals)
+        page.side.set_refused(refusals_of(self._parts.settings, self._parts.files.path))
         return page
+
+    def _show_refusals(self) -> None:
+        """Show what was refused in the drawing that was opened."""
+        settings, path = self._parts.settings, self._parts.files.path
+        self.part().side.set_refused(refusals_of(settings, path))
+
+    def _keep_refusals(self) -> None:
+        """Store what is refused, as soon as the drawing has a file."""
+        path = self._parts.files.path
+        if path is not None:
+            keep_refusals(self._parts.settings, path, self.part().side.refused)
 
     def _begin(self) -> None:
         """Show the text that was not saved the last time, or one to begin with."""
@@ -122,7 +138,6 @@ class RulesFeature(Feature):
         except StudioError as error:
             self._parts.toast.refuse(error)
             return
-        page.side.refused.clear()
         page.text.setPlainText(text)
         page.follow()
         if kept:

@@ -91,7 +91,6 @@ class RulesPage(QWidget):
         self.side.shown.connect(self._mark)
         self.side.write_wanted.connect(self.write_wanted)
         session.blueprint_changed.connect(lambda *_: self._drawing_changed())
-        session.opened.connect(self.side.refused.clear)
 
     def _tool(self, words: str, tip: str, wanted: SignalInstance) -> QPushButton:
         made = QPushButton(words)

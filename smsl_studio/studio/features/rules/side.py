@@ -11,6 +11,7 @@ from smsl_studio.studio.base.controls import label, row
 from smsl_studio.studio.base.panels import empty_panel
 from smsl_studio.studio.base.rows import ListRow, RowsView
 from smsl_studio.studio.base.theme import Tokens
+from smsl_studio.studio.base.tips import tip_text
 from smsl_studio.studio.base.words import counted
 from smsl_studio.studio.features.rules.rule_answer import RuleAnswer
 from smsl_studio.studio.running.frames import head
@@ -27,12 +28,14 @@ MOST = 500
 
 
 class RulesSide(QWidget):
-    """Shows an answer. A difference is taken, or refused until another file is opened."""
+    """Shows an answer. A difference is taken, or refused until it is offered again."""
 
     taken = Signal(object)
     """tuple[RuleDifference, ...]: let the drawing follow the rules in these."""
     shown = Signal()
     """The differences that are shown have changed."""
+    refusals_changed = Signal()
+    """Something was refused, or what was refused is offered again."""
     write_wanted = Signal()
     """Write what the rules give as a new blueprint."""
 
@@ -48,6 +51,8 @@ class RulesSide(QWidget):
         self.why.setContentsMargins(12, 4, 12, 4)
         self.take = self._button("Take", "primary", self._take_one)
         self.refuse = self._button("Refuse", "", self._refuse_one)
+        self.again = self._button("Offer again", "", self._offer_again)
+        self.again.setToolTip(tip_text("Offer the differences again that were refused"))
         self.all = self._button("Take all", "", self._take_all)
         self.write = self._button("Write as blueprint", "primary", self.write_wanted.emit)
         self.write.setToolTip("Open what the rules give as a new blueprint, to be inspected")
@@ -57,7 +62,7 @@ class RulesSide(QWidget):
         column.addWidget(head("Differences to the drawing", None, self._count))
         column.addWidget(self.list, 3)
         column.addWidget(self.why)
-        for parts in ((self.take, self.refuse, None, self.all), (None, self.write)):
+        for parts in ((self.take, self.refuse, None, self.all), (self.again, None, self.write)):
             across = row(*parts)
             across.setContentsMargins(12, 6, 12, 6)
             column.addLayout(across)
@@ -106,6 +111,7 @@ class RulesSide(QWidget):
         self._count.setText(", ".join(told) if compared else "")
         self.all.setText(f"Take all {min(len(found), MOST)}" if found else "Take all")
         self.all.setEnabled(bool(found))
+        self.again.setVisible(bool(self.refused))
         self._show_chosen()
         self.shown.emit()
 
@@ -142,6 +148,17 @@ class RulesSide(QWidget):
         if chosen is not None:
             self.refused.add(chosen)
             self._show_differences()
+            self.refusals_changed.emit()
+
+    def set_refused(self, refused: set[RuleDifference]) -> None:
+        """Take what was refused in another drawing."""
+        self.refused = set(refused)
+        self._show_differences()
+
+    def _offer_again(self) -> None:
+        self.refused.clear()
+        self._show_differences()
+        self.refusals_changed.emit()
 
 
 def _fact_rows(draft: RuleDraft) -> list[ListRow]:
