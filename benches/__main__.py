@@ -78,6 +78,7 @@ BENCHES = (
     "frames",
     "forged",
     "code",
+    "over_socket",
 )
 PAGE = Path(__file__).parent.parent / "docs" / "benches.md"
 

@@ -19,6 +19,9 @@ void Carrier::advance(const Shut& shut) {
         begin(shut);
     } else if (stage == Stage::settling) {
         run_.pass_tick();
+        if (run_.gone()) {
+            return;
+        }
         notice();
         if (hazards_ || run_.time() >= until_ - hair) {
             decide();
@@ -146,6 +149,9 @@ void Carrier::go_on() {
         outcome = Outcome::raised;
     }
     run_.pass_tick();
+    if (run_.gone()) {
+        return;
+    }
     if (outcome == Outcome::running) {
         if (notice() && edge.terms->stop != "finish") {
             cancel("cancelled", lost_words());

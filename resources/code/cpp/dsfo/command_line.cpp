@@ -6,6 +6,7 @@
 #include <iostream>
 
 #include "addresses.hpp"
+#include "remote_world.hpp"
 #include "run_header.hpp"
 
 namespace dsfo {
@@ -14,7 +15,8 @@ namespace {
 
 const char* const usage =
     "usage: run [--goal SB/State]... [--start SB/State]... [--avoid ADDRESS]... [--log LOG]\n"
-    "           [--seed NUMBER] [--on-mismatch hold|adopt] [--format text|json] [--world table]\n";
+    "           [--seed NUMBER] [--on-mismatch hold|adopt] [--format text|json]\n"
+    "           [--world table|remote] [--address unix:PATH|HOST:PORT] [--token-file FILE]\n";
 
 volatile std::sig_atomic_t asked_to_stop = 0;
 
@@ -29,6 +31,8 @@ struct Options {
     std::string mismatch = "hold";
     std::string format = "text";
     std::string world = "table";
+    std::string address;
+    std::string token_file;
     bool help = false;
     std::string wrong;
 };
@@ -45,7 +49,8 @@ Options options_of(const std::vector<std::string>& words) {
         {"--goal", &found.goals}, {"--start", &found.starts}, {"--avoid", &found.avoids}};
     const std::map<std::string, std::string*> single{
         {"--log", &found.log}, {"--seed", &found.seed}, {"--on-mismatch", &found.mismatch},
-        {"--format", &found.format}, {"--world", &found.world}};
+        {"--format", &found.format}, {"--world", &found.world},
+        {"--address", &found.address}, {"--token-file", &found.token_file}};
     if (words.empty() || words.front() != "run") {
         found.help = !words.empty() && (words.front() == "--help" || words.front() == "-h");
         found.wrong = found.help ? "" : "say what to do: run";
@@ -86,8 +91,10 @@ Options options_of(const std::vector<std::string>& words) {
         found.wrong = "--on-mismatch is hold or adopt";
     } else if (found.format != "text" && found.format != "json") {
         found.wrong = "--format is text or json";
-    } else if (found.world != "table") {
-        found.wrong = "--world is table";
+    } else if (found.world != "table" && found.world != "remote") {
+        found.wrong = "--world is table or remote";
+    } else if ((found.world == "remote") == found.address.empty()) {
+        found.wrong = "--world remote and --address belong together";
     }
     return found;
 }
@@ -175,7 +182,22 @@ int command_line(
         return wrong_usage(options.wrong);
     }
     is_number(options.seed, terms.seed);
-    return carried_out(hierarchy, world, terms, options);
+    if (options.world == "table") {
+        return carried_out(hierarchy, world, terms, options);
+    }
+    const bool port = options.address.rfind("unix:", 0) != 0;
+    std::string token;
+    if (!options.token_file.empty()) {
+        token = token_in(options.token_file, options.wrong);
+    } else if (port) {
+        options.wrong = options.address + " needs a token: say --token-file FILE";
+    }
+    if (!options.wrong.empty()) {
+        return wrong_usage(options.wrong);
+    }
+    RemoteWorld remote(
+        hierarchy, options.address, token, terms.seed, [] { return asked_to_stop != 0; });
+    return carried_out(hierarchy, remote, terms, options);
 }
 
 }  // namespace dsfo

@@ -55,6 +55,10 @@ std::vector<std::string> Dispatcher::open() {
         return drained();
     }
     world_.begin(start);
+    if (run_->gone()) {
+        refuse(world_.lost());
+        return drained();
+    }
     run_->look();
     const std::vector<Check> checks = run_->checks(run_->configuration);
     std::vector<std::string> failed;
@@ -130,6 +134,9 @@ std::vector<std::string> Dispatcher::tick() {
     } else {
         propose();
     }
+    if (!finished() && run_->gone()) {
+        lose();
+    }
     return drained();
 }
 
@@ -142,7 +149,9 @@ void Dispatcher::propose() {
             since_ = run_->time();
         }
         run_->pass_tick();
-        look_at_goals();
+        if (!run_->gone()) {
+            look_at_goals();
+        }
         return;
     }
     std::optional<Hold> why;
@@ -622,6 +631,17 @@ void Dispatcher::hold(const Hold& why) {
     finish(why.kind == "no_route" ? "no_route" : "held", why.reason);
 }
 
+// Nothing begins in a world that is gone.
+void Dispatcher::lose() {
+    const std::string why = world_.lost();
+    if (carrier_) {
+        carrier_->cut(why);
+    }
+    Object said = run_->event("held");
+    run_->tell(said.text("reason", why).raw("details", "[]").text("kind", "held"));
+    finish("failed", why);
+}
+
 void Dispatcher::stop_now() {
     const std::string by = "a person";
     Object said = run_->event("commanded");
@@ -634,7 +654,7 @@ void Dispatcher::stop_now() {
     }
     run_->drop_pending();
     run_->tell(run_->event("stopped").text("by", by));
-    finish("stopped", "Stopped by " + by + ".");
+    finish("stopped", "Stopped by " + by + "." + (run_->gone() ? " " + world_.lost() + "." : ""));
 }
 
 void Dispatcher::finish(const std::string& reason, const std::string& sentence) {

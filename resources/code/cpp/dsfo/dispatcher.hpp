@@ -62,6 +62,7 @@ private:
     void hold(const Hold& why);
     void finish(const std::string& reason, const std::string& sentence);
     void stop_now();
+    void lose();
     Shut closed() const;
     std::string goal_text(const Goal& goal) const;
     std::vector<std::string> drained();

@@ -63,6 +63,7 @@ public:
     std::string json_of(const Places& places) const;
 
     void look();  // read every sensor now
+    bool gone() const { return !world.lost().empty(); }
     void pass_tick();  // let the world go on for one tick, and look
     void doubt(const std::set<Fact>& facts, const std::string& reason);
 

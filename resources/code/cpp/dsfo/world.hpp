@@ -17,6 +17,7 @@ public:
     virtual void step() {}  // let one tick pass
     virtual void brake() {}  // stop all that moves
     virtual std::optional<std::string> sense(Fact fact) const = 0;
+    virtual std::string lost() const { return ""; }  // why it is gone; the run ends then
 
     // What an operation does where nobody has written anything else.
     virtual Outcome carry_out(const Edge& edge) = 0;
