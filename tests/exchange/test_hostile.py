@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import socket
 import sys
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
@@ -141,28 +141,29 @@ def test_a_hundred_megabytes_are_refused(name: str, tmp_path: Path) -> None:
         smsl.imported(file)
 
 
-DEEP = {
-    "x.scxml": "<scxml>" + "<state>" * 100_000,
-    "x.graphml": "<graphml><graph>" + "<node id='a'><graph>" * 50_000,
-    "x.xstate.json": '{"states": {"a": ' * 100_000,
-    "x.py": "x = " + "(" * 100_000,
-    "y.py": "x = " + "-" * 100_000 + "1",
-    "z.py": "x = a" + ".a" * 100_000,
-    "x.xml": "<behavior>" * 100_000,
+DEEP: dict[str, Callable[[], str]] = {
+    "x.scxml": lambda: "<scxml>" + "<state>" * 100_000,
+    "x.graphml": lambda: "<graphml><graph>" + "<node id='a'><graph>" * 50_000,
+    "x.xstate.json": lambda: '{"states": {"a": ' * 100_000,
+    "x.py": lambda: "x = " + "(" * 100_000,
+    "y.py": lambda: "x = " + "-" * 100_000 + "1",
+    "z.py": lambda: "x = a" + ".a" * 100_000,
+    "x.xml": lambda: "<behavior>" * 100_000,
 }
-WIDE = {
-    "x.scxml": "<scxml>" + "<state/>" * 600_000,
-    "y.scxml": "<scxml " + " ".join(f"a{n}='1'" for n in range(600_000)) + "/>",
-    "x.graphml": "<graphml><graph>" + "<data/>" * 600_000,
-    "x.xstate.json": '{"states": {' + ",".join(f'"{n}":1' for n in range(600_000)) + "}}",
-    "x.py": "x = 1\n" * 300_000,
+"""How the texts are made. They are long, so each is made where it is read only."""
+WIDE: dict[str, Callable[[], str]] = {
+    "x.scxml": lambda: "<scxml>" + "<state/>" * 600_000,
+    "y.scxml": lambda: "<scxml " + " ".join(f"a{n}='1'" for n in range(600_000)) + "/>",
+    "x.graphml": lambda: "<graphml><graph>" + "<data/>" * 600_000,
+    "x.xstate.json": lambda: '{"states": {' + ",".join(f'"{n}":1' for n in range(600_000)) + "}}",
+    "x.py": lambda: "x = 1\n" * 300_000,
 }
 
 
 @pytest.mark.parametrize(("name", "text"), [*DEEP.items(), *WIDE.items()], ids=[*DEEP, *WIDE])
-def test_depth_and_number_are_bounded(name: str, text: str, tmp_path: Path) -> None:
+def test_depth_and_number_are_bounded(name: str, text: Callable[[], str], tmp_path: Path) -> None:
     with pytest.raises(ReadError):
-        smsl.imported(put(text.encode(), name, tmp_path))
+        smsl.imported(put(text().encode(), name, tmp_path))
 
 
 def test_many_inherited_transitions_are_bounded() -> None:
