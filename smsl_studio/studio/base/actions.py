@@ -116,11 +116,11 @@ class Actions(QObject):
             made.setToolTip(tip_text(action.hint))
             made.setStatusTip(tip_text(action.tip))
             made.triggered.connect(self._caller(action))
-            if action.scope == "window":
-                window.addAction(made)
             self._made[action.id] = made
         self.set_tokens(tokens)
         self.refresh()
+        # Last, because the window would be told of each change of an action that it has.
+        window.addActions([self._made[one.id] for one in self if one.scope == "window"])
 
     def __getitem__(self, name: str) -> QAction:
         return self._made[name]
