@@ -145,9 +145,12 @@ class _ToldEvents:
 
 
 def _execute(options: argparse.Namespace, told: _ToldEvents) -> int:
+    from smsl_studio.blueprint.levels import Levels
     from smsl_studio.front.approval_badge import is_generated
     from smsl_studio.front.inputs import inspect
     from smsl_studio.front.runs import run
+    from smsl_studio.front.views.before_run import RunMeans, lacking
+    from smsl_studio.world.engines import REMOTE
 
     speed = _speed(options.speed)
     if options.log == "-":
@@ -164,6 +167,11 @@ def _execute(options: argparse.Namespace, told: _ToldEvents) -> int:
     # A misspelt annotation protects nothing, so these findings are shown before every run.
     for finding in inspect(blueprint, ("R29",)):
         note(f"{finding.place}: {finding.message}")
+    if script is None:
+        # People who answer come with a script alone.
+        means = RunMeans(options.world, options.world != REMOTE, None, options.forecast)
+        for lack in lacking(blueprint, Levels(blueprint), means):
+            note(one_line(lack))
     words = b"" if options.log is None else recorder_passphrase(options)
     look_for_garbage()
     done = run(

@@ -30,6 +30,7 @@ from smsl_studio.world.engines import REMOTE, TABLE
 
 LOW = 10
 """The priority (nice) of a gentle twin."""
+HARDWARE = "a world that is hardware"
 LIVES = 3
 """After so many lost worlds, no further one is built."""
 
@@ -131,15 +132,21 @@ class Twin:
     def _refuse_what_is_real(self) -> None:
         """Raise WorldError for a world that cannot be there twice: a forecast would move it."""
         world, paths = self._request.world, self._request.plugin_paths
-        if world == REMOTE:
+        loaded = self._loaded
+        if world not in (REMOTE, TABLE) and loaded is None:
+            loaded = known_world(world, paths, "process")
+        if not may_be_tried(world, loaded):
             self._lost = LIVES
-            raise WorldError("a program that is somewhere else cannot be tried beforehand")
-        if world == TABLE:
-            return
-        loaded = self._loaded or known_world(world, paths, "process")
-        if loaded is not None and loaded.world(world)[1].hardware:
-            self._lost = LIVES
-            raise WorldError("a world that is hardware cannot be tried beforehand")
+            what = "a program that is somewhere else" if world == REMOTE else HARDWARE
+            raise WorldError(f"{what} cannot be tried beforehand")
+
+
+def may_be_tried(world: str, loaded: Loaded | None) -> bool:
+    """Return whether a world may be there twice, so that its operations can be tried beforehand.
+    ``loaded`` are the plugins, None if they are not known."""
+    if world in (REMOTE, TABLE) or loaded is None:
+        return world != REMOTE
+    return not loaded.world(world)[1].hardware
 
 
 def _yield_to_others(host: Host) -> None:

@@ -10,9 +10,10 @@ from PySide6.QtWidgets import QPushButton, QWidget
 
 from smsl_studio.runlog.events import Commanded
 from smsl_studio.studio.features.people.persons_dialog import PersonsDialog
+from smsl_studio.studio.running import persons
 from tests.stories.at_tasks import AtTasks, asking
 from tests.stories.conftest import Sit
-from tests.stories.person import Person
+from tests.stories.person import SAMPLES, Person
 from tests.stories.test_window import check_named, check_whole
 
 Key = Qt.Key
@@ -128,3 +129,13 @@ def test_close_takes_over_who_is_typed_and_says_what_it_cannot(sit: Sit) -> None
 def _close(dialog: PersonsDialog) -> QPushButton:
     (found,) = (one for one in dialog.findChildren(QPushButton) if one.text() == "Close")
     return found
+
+
+def test_what_the_next_run_cannot_ask_for_is_told_before_it_begins(sit: Sit) -> None:
+    person = sit(SAMPLES / "registration-people.json")
+    person.ctrl(Qt.Key.Key_2)
+    canvas = person.window.features.run.pane.canvas
+    assert "ask for nurse and surgeon, and nobody with this role" in canvas.banner
+    person.windows.persons.put(persons.Person("L. Brandt", "nurse"))
+    person.windows.persons.put(persons.Person("A. Okafor", "Surgeon"))
+    assert canvas.banner == ""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import operator
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from pathlib import Path
 
@@ -84,6 +84,8 @@ class RunCanvas(QWidget):
         self.canvas.editing = False
         self.canvas.tools_high = TOP
         self.canvas.overlays.breadcrumb.hide()
+        self.caution: Callable[[], tuple[str, ...]] = tuple
+        """Returns what the next run cannot give although its levels ask for it, in sentences."""
         self.canvas.overlays.zoom.hide()
         self.canvas.edge_clicked.connect(self.chosen)
         self.canvas.enter_wanted.connect(self.show_branch)
@@ -188,7 +190,8 @@ class RunCanvas(QWidget):
 
     def _show_banner(self) -> None:
         why = self._refusal if self._blueprint().state_count else NOTHING
-        words = [why, self._trouble(), *self._notes(), self._moved_words()]
+        ahead = () if self._run.exists or self._refusal else self.caution()
+        words = [why, self._trouble(), *self._notes(), self._moved_words(), *ahead]
         said = "\n".join(word for word in words if word)
         if said != self._banner:
             self._banner = said

@@ -6,7 +6,7 @@ keeps the blueprint with which it was started, whatever is drawn meanwhile.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from functools import cached_property
 from pathlib import Path
@@ -86,6 +86,8 @@ class RunSession(QObject, Commands):
         self.sensors: tuple[SensorInfo, ...] = ()
         self.faults: tuple[str, ...] = ()
         """The faults that can be injected into the world of the run."""
+        self.caution: Callable[[], tuple[str, ...]] = tuple
+        """Returns what the next run cannot give although its levels ask for it, in sentences."""
         self.choice: RunChoice | None = None
         self.foreign = False
         """Whether another file was opened since this run began."""

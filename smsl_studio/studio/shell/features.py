@@ -114,6 +114,8 @@ class Features(QObject):
         self.run.part.when_made(self._introduce)
         self.replay.part.when_made(self._introduce_replay)
         windows.persons.changed.connect(self.supervise.refresh)
+        windows.persons.changed.connect(self.run.refresh_caution)
+        self.run.roles = lambda: tuple(one.role for one in windows.persons.all)
         self.draw.source.caret_moved.connect(self.caret_moved)
 
     def __iter__(self) -> Iterator[Feature]:

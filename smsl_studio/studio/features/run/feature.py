@@ -61,6 +61,9 @@ class RunFeature(Feature):
         self.pages = {"run": self._page}
         self.body: RunPages | None = None
         """The pages of the mode, after it was shown for the first time."""
+        self.roles: Callable[[], tuple[str, ...]] = tuple
+        """Returns the roles of the people who work at the window, one for each."""
+        self._cautious: tuple[object, tuple[str, ...]] = (None, ())
         self.further: dict[str, Callable[[], QWidget]] = {}
         """What makes further pages, by the name on the tab."""
         self.rows: dict[str, Callable[[], QWidget]] = {}
@@ -115,6 +118,13 @@ class RunFeature(Feature):
         pane.scene.script_wanted.connect(self.save_script)
         pane.scene.picture_wanted.connect(self._save_picture)
         pane.scene.clip_wanted.connect(self._save_clip)
+        pane.run.caution = pane.canvas.caution = self._caution
+        for changed in (
+            pane.levels.changed,
+            pane.transport.world.currentIndexChanged,
+            pane.transport.offered,
+        ):
+            changed.connect(lambda *_: pane.canvas.refresh())
         pane.recordings = lambda: self._parts.settings.wanted_recordings
         warming = self._warming = SpareWorld(self._next, window)
         warming.spare = pane.run.spare = self._spare
@@ -127,6 +137,31 @@ class RunFeature(Feature):
         if self._loaded is not None:
             pane.set_plugins(self._loaded)
         return pane
+
+    def refresh_caution(self) -> None:
+        """Tell anew what the next run cannot give."""
+        if self.part.made is not None:
+            self.pane.canvas.refresh()
+
+    def _caution(self) -> tuple[str, ...]:
+        """Return what the next run cannot give although its levels ask for it."""
+        from smsl_studio.front.twin import may_be_tried
+        from smsl_studio.front.views.before_run import RunMeans, lacking
+
+        pane = self.pane
+        if pane.next.loaded is not None:
+            pane.next.offer()
+        wanted = pane.next.wanted
+        if wanted is None:
+            return ()
+        blueprint, world, _, loaded, _ = wanted
+        roles, forecast = self.roles(), pane.next.supervisors.forecast
+        means = RunMeans(world, may_be_tried(world, loaded), roles, forecast)
+        asked = id(blueprint), means, tuple(pane.levels.set.items())
+        if asked != self._cautious[0]:
+            # The banner asks at each step of a run, and a large blueprint has many edges.
+            self._cautious = asked, lacking(blueprint, pane.levels.levels(blueprint), means)
+        return self._cautious[1]
 
     def actions(self) -> tuple[Action, ...]:
         """The rows about a run."""

@@ -36,6 +36,9 @@ class Transport(QWidget):
     speed_changed = Signal(float)
     by_hand_changed = Signal(bool)
 
+    offered = Signal()
+    """Other choices are offered."""
+
     def __init__(self, tokens: Tokens, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._running = self._stopped = False
@@ -96,6 +99,7 @@ class Transport(QWidget):
         _fill(self.world, worlds)
         _fill(self.start, starts)
         _fill(self.goal, goals)
+        self.offered.emit()
 
     def choose_start(self, start: str) -> None:
         """Select a start if it is in the list."""

@@ -85,7 +85,8 @@ class Notice(QWidget):
 
     @property
     def decided(self) -> str:
-        """Who decided what in the run that has ended, a line for each; empty if nobody did."""
+        """Who decided what in the run that has ended, and what the next one cannot give: a line for
+        each. Empty for neither."""
         return self._deciders.text()
 
     def say(self, why: str) -> None:
@@ -114,7 +115,9 @@ class Notice(QWidget):
                 or "F5 starts one, in the world that is chosen in Run mode. Its current state and "
                 "the operations out of it are shown here."
             )
-        self._deciders.setText(plain_text("\n".join(map(one_line, _decided(run)))))
+        ahead = () if run.exists else run.caution()
+        told = (*map(one_line, _decided(run)), *map(one_line, ahead))
+        self._deciders.setText(plain_text("\n".join(told)))
         if self._deciders.text() and self._deciders.parent() is None:
             self._column.insertWidget(self._column.indexOf(self._why) + 1, self._deciders)
         self._deciders.setVisible(bool(self._deciders.text()))
