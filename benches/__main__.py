@@ -79,6 +79,7 @@ BENCHES = (
     "forged",
     "code",
     "over_socket",
+    "counts",
 )
 PAGE = Path(__file__).parent.parent / "docs" / "benches.md"
 

@@ -16,6 +16,7 @@ from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
 from smsl_studio.studio.document import afterwards
+from tests.counts import share_of
 
 # Before anything imports Qt. The screen has a usual size: on that of Qt, which has 800 x 800, every
 # window would begin narrow and be laid out again.
@@ -27,6 +28,7 @@ os.umask(0o022)
 
 settings.register_profile(
     "house",
+    max_examples=share_of(100),
     derandomize=True,
     deadline=None,
     database=None,

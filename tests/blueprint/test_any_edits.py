@@ -23,6 +23,7 @@ from smsl_studio.errors import EditRefused
 from smsl_studio.generate.rules import hanoi
 from smsl_studio.smsl.json_form import parse_json, write_json
 from smsl_studio.smsl.splice import reconcile
+from tests.counts import share_of
 from tests.smsl.texts import texts
 
 ODD_NAMES = ["State0", "a/b", "~", "é", "Op_1b", "x y", '"', "S\\", "State_ab", "HEADER ", "", "_n"]
@@ -150,7 +151,7 @@ def whole(blueprint: Blueprint) -> Any:
     )
 
 
-@settings(max_examples=300)
+@settings(max_examples=share_of(300))
 @given(texts(), st.integers(0, 10**6))
 def test_after_every_edit_the_text_reads_to_the_blueprint(text: str, seed: int) -> None:
     chance = random.Random(seed)
@@ -168,7 +169,7 @@ def test_after_every_edit_the_text_reads_to_the_blueprint(text: str, seed: int) 
         blueprint = after
 
 
-@settings(max_examples=200)
+@settings(max_examples=share_of(200))
 @given(texts())
 def test_the_values_of_a_blueprint_change_nothing_in_its_text(text: str) -> None:
     document = parse_json(text, "f.json")
@@ -179,7 +180,7 @@ def test_the_values_of_a_blueprint_change_nothing_in_its_text(text: str) -> None
     assert reconcile(document, values_of(blueprint)).text == text
 
 
-@settings(max_examples=150)
+@settings(max_examples=share_of(150))
 @given(st.integers(0, 10**6))
 def test_an_edit_touches_no_line_that_does_not_name_its_element(seed: int) -> None:
     chance = random.Random(seed)

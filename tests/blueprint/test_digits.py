@@ -16,6 +16,7 @@ from smsl_studio.errors import EditRefused
 from smsl_studio.smsl.files import read_document
 from smsl_studio.smsl.forms import form_named
 from tests.blueprint.values import in_form, read
+from tests.counts import share_of
 
 SAMPLES = Path(__file__).parents[2] / "samples"
 NAMED: dict[str, Any] = {
@@ -126,7 +127,7 @@ def test_a_fact_added_and_deleted_leaves_the_same_bytes(name: str, form: str) ->
         assert back.document.text == before.document.text
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=share_of(60), deadline=None)
 @given(st.sampled_from(["json", "smsl", "yaml"]), st.integers(0, 10**6))
 def test_moves_change_nothing_but_the_order_and_come_back(form: str, seed: int) -> None:
     chance = random.Random(seed)

@@ -21,6 +21,7 @@ from smsl_studio.inspection.inspect import inspect
 from smsl_studio.smsl.document import Document
 from smsl_studio.smsl.forms import form_named
 from smsl_studio.smsl.json_form import parse_json, write_json
+from tests.counts import share_of
 from tests.smsl.texts import texts
 
 
@@ -282,7 +283,7 @@ def in_order(blueprint: Blueprint, states: Iterable[Address]) -> list[Address]:
     ]
 
 
-@settings(max_examples=60)
+@settings(max_examples=share_of(60))
 @given(texts(), st.integers(0, 10**6))
 def test_what_is_pasted_is_what_was_copied(text: str, seed: int) -> None:
     chance = random.Random(seed)

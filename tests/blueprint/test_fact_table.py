@@ -14,6 +14,7 @@ from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.blueprint.reading import read_blueprint
 from smsl_studio.errors import EditRefused
 from smsl_studio.smsl.forms import form_named
+from tests.counts import share_of
 
 STATES: dict[str, Any] = {"State_00": {"go": "State_11"}, "State_11": {}}
 WORDS = st.text(min_size=1, max_size=9).map(str.strip)
@@ -38,7 +39,7 @@ def read(values: Any, form: str = "json") -> Blueprint:
     return read_blueprint(doors.parse(doors.write(values), f"f.{form}"))
 
 
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=share_of(150), deadline=None)
 @given(st.sampled_from(["json", "smsl", "yaml"]), NOTES, NOTES)
 def test_all_facts_go_through_a_table_and_back(
     form: str, first: dict[str, Any], second: dict[str, Any]

@@ -15,6 +15,7 @@ from smsl_studio.blueprint.reading import read_blueprint
 from smsl_studio.errors import EditRefused
 from smsl_studio.smsl.forms import form_named
 from tests.blueprint.values import in_form, read
+from tests.counts import share_of
 
 VALUED: dict[str, Any] = {
     "_hazards": [{"name": "both", "facts": {"A/0": "0", "A/1": "1", "B/0": "1"}}],
@@ -149,7 +150,7 @@ def some_values(chance: random.Random) -> dict[str, Any]:
     return {"_hazards": hazards, "_levels": {f"A/{some}/Op_0": "human"}, "A": branch}
 
 
-@settings(max_examples=120, deadline=None)
+@settings(max_examples=share_of(120), deadline=None)
 @given(st.sampled_from(["json", "smsl", "yaml"]), st.integers(0, 10**6))
 def test_a_value_renamed_there_and_back_leaves_the_same_bytes(form: str, seed: int) -> None:
     chance = random.Random(seed)
@@ -176,7 +177,7 @@ def entry(blueprint: Blueprint, digit: int) -> dict[str, Any]:
     return found
 
 
-@settings(max_examples=120, deadline=None)
+@settings(max_examples=share_of(120), deadline=None)
 @given(st.sampled_from(["json", "smsl", "yaml"]), st.integers(0, 10**6))
 def test_a_value_set_and_set_back_leaves_the_same_bytes(form: str, seed: int) -> None:
     chance = random.Random(seed)

@@ -19,6 +19,7 @@ from smsl_studio.blueprint.names import (
 from smsl_studio.blueprint.reading import read_blueprint
 from smsl_studio.generate.rules import hanoi
 from smsl_studio.smsl.json_form import parse_json
+from tests.counts import share_of
 
 
 def branch(states: dict[str, dict[str, str]], header: dict[str, int] | None = None) -> StateBranch:
@@ -76,7 +77,7 @@ def test_an_sb_gets_the_next_number() -> None:
 NAMES = st.sampled_from(["a", "a1", "a2", "a3", "a5", "a9", "a10", "a11", "b01", "b02", "b"])
 
 
-@settings(max_examples=50, deadline=None)
+@settings(max_examples=share_of(50), deadline=None)
 @given(st.sets(NAMES), st.lists(NAMES, max_size=30))
 def test_each_name_is_the_next_free_one_like_it(taken: set[str], wanted: list[str]) -> None:
     names = FreeNames(taken)

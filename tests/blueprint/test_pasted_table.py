@@ -16,6 +16,7 @@ from smsl_studio.blueprint.reading import read_blueprint
 from smsl_studio.errors import EditRefused
 from smsl_studio.smsl.forms import form_named
 from tests.blueprint.values import read
+from tests.counts import share_of
 
 SMALL: dict[str, Any] = {
     "SB1": {"HEADER": {"NUM_STATES": 2}, "Idle": {"go": "Ready"}, "Ready": {},
@@ -99,7 +100,7 @@ def test_states_without_an_sb_around_them_are_pasted_too() -> None:
             edit.paste(before, "SB1", text)
 
 
-@settings(max_examples=100, deadline=None)
+@settings(max_examples=share_of(100), deadline=None)
 @given(st.sampled_from(["json", "smsl", "yaml"]), st.integers(0, 10**6))
 def test_what_was_pasted_and_deleted_leaves_the_same_meaning(form: str, seed: int) -> None:
     chance = random.Random(seed)

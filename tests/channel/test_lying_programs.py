@@ -19,6 +19,7 @@ from smsl_studio.seal.strict_json import base64_text
 from smsl_studio.shipped import samples_dir
 from tests.approval import PASSPHRASE, make_keys_cheap, written_policy
 from tests.channel.programs import Lie, driven, end_of, honest, program
+from tests.counts import share_of
 
 HANOI = samples_dir() / "hanoi-2.json"
 GOAL = "SB1/State_cc"
@@ -316,7 +317,7 @@ def spoilt(chance: Random, answer: Frame) -> Frame:
 def test_random_answers_are_believed_or_end_the_run(tmp_path: Path) -> None:
     blueprint = read(HANOI)
     ends = set()
-    for seed in range(300):
+    for seed in range(share_of(300)):
         chance = Random(seed)
 
         def lie(verb: str, answer: Frame, chance: Random = chance) -> bytes | None:

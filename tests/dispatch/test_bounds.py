@@ -17,10 +17,11 @@ from smsl_studio.blueprint.terms import Terms
 from smsl_studio.dispatch.route import planner
 from smsl_studio.dispatch.route.planner import Leg, Planner
 from smsl_studio.errors import RunRefused
+from tests.counts import share_of
 from tests.dispatch.generated import blueprint_values
 from tests.dispatch.runs import blueprint, branch
 
-SEEDS = range(150)
+SEEDS = range(share_of(150))
 RING = {"00": "next>01, prev>10", "01": "next>11, prev>00", "11": "next>10, prev>01"}
 
 

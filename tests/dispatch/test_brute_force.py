@@ -12,11 +12,12 @@ from smsl_studio.blueprint.configuration import Hierarchy, start_configuration
 from smsl_studio.dispatch.route.planner import Planner
 from smsl_studio.errors import RunRefused
 from smsl_studio.host.local import LocalHost
+from tests.counts import share_of
 from tests.dispatch.generated import blueprint_values
 from tests.dispatch.naive import Naive
 from tests.dispatch.runs import Story, blueprint
 
-SEEDS = (*range(200), 1495, 3049)  # the last two: load below a sub that is shared
+SEEDS = (*range(share_of(200)), 1495, 3049)  # the last two: load below a sub that is shared
 
 
 def cases(seed: int, count: int) -> Iterator[tuple[Naive, dict[str, str], str, dict[str, str]]]:
@@ -50,7 +51,7 @@ def test_the_planner_finds_what_brute_force_finds(seed: int) -> None:
             assert cost == best if len(goals) == 1 else cost >= best
 
 
-@pytest.mark.parametrize("seed", range(100))
+@pytest.mark.parametrize("seed", range(share_of(100)))
 def test_out_of_and_around_failures_the_planner_finds_what_brute_force_finds(seed: int) -> None:
     for naive, start, root, wanted in cases(seed, 3):
         for sb in naive.tree(root)[:: 1 + seed % 2]:

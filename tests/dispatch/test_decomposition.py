@@ -12,12 +12,13 @@ from smsl_studio.dispatch.route import planner
 from smsl_studio.dispatch.route.decomposition import is_decomposed
 from smsl_studio.dispatch.route.planner import Planner
 from smsl_studio.stop import StopListener, Stopped, heeding
+from tests.counts import share_of
 from tests.dispatch.large import chained, cube, cube_of_rings, line_of_rings, ring, three_levels
 from tests.dispatch.planned import answer, decomposed, lines, questions, unwalked, walked
 from tests.dispatch.runs import blueprint
 
-GROUPS = 10
-SEEDS = 200
+SEEDS = share_of(200)
+GROUPS = max(1, SEEDS // 20)
 
 
 @pytest.mark.parametrize("group", range(GROUPS))

@@ -17,6 +17,7 @@ from smsl_studio.blueprint.stepper import Stepper
 from smsl_studio.blueprint.terms import Terms
 from smsl_studio.dispatch.route.planner import Planner
 from smsl_studio.errors import RunRefused
+from tests.counts import share_of
 from tests.dispatch.generated import blueprint_values
 from tests.dispatch.runs import Story, blueprint, branch
 
@@ -76,7 +77,7 @@ def passed(here: Config, step: JointStep) -> Iterator[Config]:
         yield dict(now)
 
 
-@pytest.mark.parametrize("seed", range(90))
+@pytest.mark.parametrize("seed", range(share_of(90)))
 def test_the_planner_finds_the_cheapest_route_around_hazards(seed: int) -> None:
     values, hazards = drawn(seed)
     made = blueprint(values)

@@ -12,6 +12,7 @@ import smsl_studio as smsl
 from smsl_studio.shipped import samples_dir
 from tests.blueprint.values import read
 from tests.cli.shell import Shell, make_shell
+from tests.counts import share_of
 from tests.exchange.again import WHOLE, random_blueprint, read_text, text_of
 from tests.hostile_names import BLUEPRINT
 
@@ -50,7 +51,7 @@ def test_a_sample_behaves_as_before(shell: Shell, path: Path, suffix: str, tmp_p
 
 @pytest.mark.parametrize("suffix", WHOLE)
 def test_random_blueprints_mean_the_same(suffix: str) -> None:
-    for seed in range(50):
+    for seed in range(share_of(50)):
         blueprint = random_blueprint(seed)
         again, findings = read_text(text_of(blueprint, suffix), f"x{suffix}")
         assert again == blueprint, seed

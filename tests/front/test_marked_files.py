@@ -19,6 +19,7 @@ from tests.blueprint.merge.sides import things
 from tests.blueprint.merge.test_choice import chosen
 from tests.blueprint.merge.test_merge import BASE, changed, without_s2
 from tests.blueprint.values import read
+from tests.counts import share_of
 
 OURS, THEIRS = changed(("A|S0|go", "S0")), changed(("A|S0|go", "S2"), ("B|X1|down", "X0"))
 
@@ -64,7 +65,7 @@ def test_a_version_that_is_no_blueprint_is_named(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("side", ["ours", "theirs"])
 def test_random_versions_without_a_base_can_be_chosen_whole(side: str) -> None:
-    for number in range(60):
+    for number in range(share_of(60)):
         _, ours, theirs = sides(number, renames=True)
         done = merge_without_base(ours, theirs)
         wanted: Blueprint = ours if side == "ours" else theirs

@@ -12,13 +12,14 @@ from smsl_studio.front.inputs import read
 from smsl_studio.front.shapes import diff_behaviour, extract, flatten, identify, inline
 from smsl_studio.generate.shapes.chosen import CutRefused
 from smsl_studio.inspection.inspect import inspect
+from tests.counts import share_of
 from tests.dispatch.generated import blueprint_values
 from tests.generate.cut_cases import blueprint, cut_case, planted
 from tests.generate.judged_cut import judged_cut
 from tests.stories.person import SAMPLES
 
 
-@pytest.mark.parametrize("number", range(100))
+@pytest.mark.parametrize("number", range(share_of(100)))
 def test_a_random_cut_behaves_as_before(number: int) -> None:
     case = cut_case(number)
     if case is None:

@@ -7,6 +7,7 @@ from random import Random
 import pytest
 
 from smsl_studio.graph.bottlenecks import bottlenecks
+from tests.counts import share_of
 from tests.inspection.intact import read
 
 Table = dict[str, dict[str, str]]
@@ -39,7 +40,7 @@ def without(table: Table, state: str, operation: str = "") -> Table:
     return {**table, state: kept}
 
 
-@pytest.mark.parametrize("seed", range(300))
+@pytest.mark.parametrize("seed", range(share_of(300)))
 def test_bottlenecks_are_what_cannot_be_taken_away(seed: int) -> None:
     table = drawn_table(seed)
     start, goal = "s0", list(table)[-1]

@@ -11,6 +11,7 @@ import pytest
 from smsl_studio.blueprint.model import StateBranch
 from smsl_studio.graph import effects as home
 from smsl_studio.graph.effects import effects_of
+from tests.counts import share_of
 from tests.inspection.intact import read
 
 ALPHABETS = ("01", "abc", ("aa", "ab", "ba"), "0é\U0001f600", ("x", "yy", "zzz"))
@@ -48,7 +49,7 @@ def plain(branch: StateBranch) -> list[tuple[str, str, frozenset[tuple[int, str]
 
 
 @pytest.mark.parametrize("arrays", [False, True])
-@pytest.mark.parametrize("seed", range(60))
+@pytest.mark.parametrize("seed", range(share_of(60)))
 def test_effects_are_those_of_a_plain_count(
     seed: int, arrays: bool, monkeypatch: pytest.MonkeyPatch
 ) -> None:

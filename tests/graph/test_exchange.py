@@ -15,6 +15,7 @@ from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.blueprint.reading import read_blueprint
 from smsl_studio.errors import UsageError
 from smsl_studio.smsl.json_form import parse_json
+from tests.counts import share_of
 from tests.dispatch.generated import blueprint_values
 from tests.stories.person import SAMPLES
 
@@ -61,7 +62,7 @@ def test_a_plain_reader_of_graphml_finds_the_same(tmp_path: Path) -> None:
     )
 
 
-@pytest.mark.parametrize("seed", range(30))
+@pytest.mark.parametrize("seed", range(share_of(30)))
 def test_random_blueprints_come_back_equal(seed: int) -> None:
     whole = blueprint(blueprint_values(seed))
     graph = smsl.multidigraph(whole)

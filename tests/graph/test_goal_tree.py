@@ -18,6 +18,7 @@ from smsl_studio.generate.rules import hanoi
 from smsl_studio.graph import routing
 from smsl_studio.graph.build import BranchGraph, graph_of
 from smsl_studio.graph.goal_tree import GoalTree
+from tests.counts import share_of
 
 PRICES = [0.0, 0.1, 0.1, 0.2, 0.3, 1.0, 2.5]
 ENGINES = [0, 10**9]
@@ -103,7 +104,7 @@ class Oracle:
             assert names == (None if expected is None else wanted)
 
 
-@settings(max_examples=50)
+@settings(max_examples=share_of(50))
 @given(graphs(), st.sampled_from(ENGINES), st.data())
 def test_every_way_is_the_one_that_the_searches_find(
     drawn: tuple[BranchGraph, list[float], StateBranch], large: int, data: st.DataObject
@@ -115,7 +116,7 @@ def test_every_way_is_the_one_that_the_searches_find(
         oracle.agrees(tree, goals, state)
 
 
-@settings(max_examples=100)
+@settings(max_examples=share_of(100))
 @given(graphs(), st.sampled_from(ENGINES), st.data())
 def test_after_any_changes_the_ways_are_those_of_a_new_tree(
     drawn: tuple[BranchGraph, list[float], StateBranch], large: int, data: st.DataObject
@@ -142,7 +143,7 @@ def test_after_any_changes_the_ways_are_those_of_a_new_tree(
         oracle.agrees(tree, goals, state)
 
 
-@pytest.mark.parametrize("seed", range(30))
+@pytest.mark.parametrize("seed", range(share_of(30)))
 def test_ties_among_repaired_ways_go_by_name(seed: int) -> None:
     """Layers of states, each joined with most of the next, at equal costs: nothing but ties."""
     dice = random.Random(seed)

@@ -13,6 +13,7 @@ from smsl_studio.blueprint.reading import read_blueprint
 from smsl_studio.graph.layout import place_states
 from smsl_studio.graph.tidied import tidied
 from smsl_studio.smsl.json_form import parse_json
+from tests.counts import share_of
 
 Places = dict[str, tuple[float, float]]
 
@@ -57,7 +58,7 @@ def strangers(branch: StateBranch, places: Places) -> set[str]:
     return found
 
 
-@settings(max_examples=40)
+@settings(max_examples=share_of(40))
 @given(drawings())
 def test_a_state_that_tidy_moves_is_in_no_group_of_others(
     drawing: tuple[StateBranch, Places, list[str]],

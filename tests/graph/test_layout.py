@@ -34,6 +34,7 @@ from smsl_studio.graph.shape import distances
 from smsl_studio.graph.triangle import in_triangle
 from smsl_studio.smsl.json_form import parse_json
 from tests.bombs.test_work import steps
+from tests.counts import share_of
 
 SAMPLES = Path(__file__).parents[2] / "samples"
 Tables = dict[str, dict[str, str]]
@@ -268,7 +269,7 @@ def test_layout_wins_over_former_and_both_over_what_is_computed() -> None:
     st.booleans(),
     st.integers(0, 19),
 )
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=share_of(60), deadline=None)
 def test_no_node_covers_another(
     size: int, edges: list[tuple[int, int]], digits: bool, fixed: int
 ) -> None:

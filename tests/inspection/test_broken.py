@@ -16,6 +16,7 @@ from smsl_studio.graph.hierarchy import cycles, levels
 from smsl_studio.graph.layout import place_states
 from smsl_studio.inspection.inspect import inspect
 from smsl_studio.smsl.json_form import parse_json
+from tests.counts import share_of
 
 SAMPLES = Path(__file__).parents[2] / "samples"
 TEXTS = {
@@ -116,7 +117,7 @@ def broken_blueprints(draw: st.DrawFn) -> Blueprint:
 
 
 @given(broken_blueprints())
-@settings(max_examples=250)
+@settings(max_examples=share_of(250))
 def test_no_rule_crashes_and_every_finding_has_its_place(blueprint: Blueprint) -> None:
     text = blueprint.document.text
     lines = text.split("\n")
@@ -132,7 +133,7 @@ def test_no_rule_crashes_and_every_finding_has_its_place(blueprint: Blueprint) -
 
 
 @given(broken_blueprints())
-@settings(max_examples=80)
+@settings(max_examples=share_of(80))
 def test_every_fix_helps_or_says_why_not(blueprint: Blueprint) -> None:
     for finding in inspect(blueprint):
         if finding.fix is None:

@@ -10,6 +10,7 @@ from hypothesis import strategies as st
 
 from smsl_studio.errors import PluginError
 from smsl_studio.library.pattern import read_pattern
+from tests.counts import share_of
 
 DISK = {"disk": int, "peg": str}
 
@@ -75,7 +76,7 @@ PIECES = st.lists(
 NAMES = st.lists(st.sampled_from(["a", "1", "23", ".", "true", "\n"]), max_size=9).map("".join)
 
 
-@settings(max_examples=400)
+@settings(max_examples=share_of(400))
 @given(PIECES, st.text("a1.", max_size=2), NAMES)
 def test_a_name_is_read_as_a_regular_expression_would(
     pieces: list[tuple[str, type]], last: str, name: str

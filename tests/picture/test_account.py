@@ -36,6 +36,7 @@ from smsl_studio.runlog.events import (
     TaskOpened,
 )
 from smsl_studio.runlog.grammar.log_reader import LoggedRun, LogHead, Record, read_records
+from tests.counts import share_of
 from tests.runlog.any_event import events
 from tests.runlog.logs import EVENTS, write_log
 
@@ -276,7 +277,7 @@ def test_names_are_only_text() -> None:
 
 
 @given(st.lists(events(), max_size=6))
-@settings(max_examples=40)
+@settings(max_examples=share_of(40))
 def test_any_events_can_be_told(given: list[Event]) -> None:
     seen = Page(account_of(logged(*given)))
     assert seen.odd == []
@@ -284,7 +285,7 @@ def test_any_events_can_be_told(given: list[Event]) -> None:
 
 
 @given(events())
-@settings(max_examples=100)
+@settings(max_examples=share_of(100))
 def test_every_event_of_a_run_has_words_of_its_own(event: Event) -> None:
     if not isinstance(event, EdgeSwept | SweepFinished):
         assert not told(event, COMMANDS).what.startswith(event.event.replace("_", " "))

@@ -11,6 +11,7 @@ from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.picture.branch_map import WIDE, BranchMap, MapCard, branch_map
 from smsl_studio.picture.branch_map_svg import map_panel
 from smsl_studio.picture.colours import LIGHT
+from tests.counts import share_of
 from tests.dispatch.runs import blueprint, branch, sample
 
 
@@ -47,7 +48,7 @@ def upright(drawn: BranchMap) -> list[tuple[float, float, float, str]]:
     return [(a[0], min(a[1], b[1]), max(a[1], b[1]), sub) for a, b, sub in parts if a[0] == b[0]]
 
 
-@pytest.mark.parametrize("seed", range(150))
+@pytest.mark.parametrize("seed", range(share_of(150)))
 def test_cards_are_apart_and_lines_pass_beside_them(seed: int) -> None:
     made = any_blueprint(Random(seed))
     drawn = branch_map(made)

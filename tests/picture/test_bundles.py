@@ -23,6 +23,7 @@ from smsl_studio.picture.svg import draw_blueprint
 from smsl_studio.shipped import samples_dir
 from smsl_studio.smsl.document import Document
 from smsl_studio.smsl.json_form import parse_json
+from tests.counts import share_of
 from tests.picture.measured import Drawing, drawing_of, measure
 
 SAMPLES = ["registration", "hanoi-corrected", "hfsm", "registration-failures", "three-levels"]
@@ -44,7 +45,7 @@ def random_ends(seed: int) -> tuple[Any, Any]:
     return np.array(source, dtype=np.int32), np.array(target, dtype=np.int32)
 
 
-@pytest.mark.parametrize("seed", range(30))
+@pytest.mark.parametrize("seed", range(share_of(30)))
 def test_operations_between_two_states_are_in_one_bundle(seed: int) -> None:
     source, target = random_ends(seed)
     found = bundles_of(source, target)

@@ -21,6 +21,7 @@ from smsl_studio.picture.picture import Picture
 from smsl_studio.picture.returns import AWAY, LEAST, stub_rect
 from smsl_studio.picture.svg import draw_blueprint
 from smsl_studio.smsl.json_form import parse_json
+from tests.counts import share_of
 from tests.picture.test_former import assert_alike, edited, geometry_of
 
 Table = dict[str, dict[str, str]]
@@ -69,7 +70,7 @@ def picture_of(table: Table) -> Picture:
     return Picture(blueprint_of(table), "SB").collapse()
 
 
-@pytest.mark.parametrize("seed", range(30))
+@pytest.mark.parametrize("seed", range(share_of(30)))
 def test_the_lane_has_every_return_from_far_away_and_no_other(seed: int) -> None:
     table = table_of(random.Random(seed))
     picture, wanted = picture_of(table), far_returns(table)

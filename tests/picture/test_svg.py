@@ -28,6 +28,7 @@ from smsl_studio.picture.svg import as_svg, draw_blueprint, one_below_another
 from smsl_studio.picture.words import elided, width
 from smsl_studio.shipped import samples_dir
 from smsl_studio.smsl.json_form import parse_json
+from tests.counts import share_of
 
 SVG = "{http://www.w3.org/2000/svg}"
 SAMPLES = sorted(path.name for path in samples_dir().glob("*.json"))
@@ -115,7 +116,7 @@ ODD = st.text(
 ).filter(lambda name: not name.startswith("_") and name != "HEADER")
 
 
-@settings(max_examples=30)
+@settings(max_examples=share_of(30))
 @given(ODD, ODD, ODD)
 def test_any_name_gives_a_picture_that_can_be_read(branch: str, state: str, name: str) -> None:
     svg = svg_of(of({branch: {state: {name: state, f"{name}2": "nowhere"}}}))

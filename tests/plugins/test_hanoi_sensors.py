@@ -10,6 +10,7 @@ from plugins.hanoi.disks import PEGS, disks_for
 from plugins.hanoi.table import Table
 from smsl_studio.errors import WorldError
 from smsl_studio.world.bullet import BulletWorld
+from tests.counts import share_of
 from tests.plugins.hanoi_game import Game, library, sample
 
 LOW, HIGH = 0.009, 0.027
@@ -87,7 +88,7 @@ heights = st.sampled_from([0.009, 0.027, 0.045, 0.063, 0.018])
 spots = st.sampled_from([*PEGS.values(), (0.5, 0.07), (0.52, -0.14)])
 
 
-@settings(max_examples=300)
+@settings(max_examples=share_of(300))
 @given(st.lists(st.tuples(spots, heights), min_size=3, max_size=3), st.integers(0, 3))
 def test_pegs_are_said_only_of_legal_stacks(
     places: list[tuple[tuple[float, float], float]], held: int

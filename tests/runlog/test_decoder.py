@@ -11,11 +11,12 @@ from hypothesis import given, settings
 
 from smsl_studio.runlog.decoder import EVENTS, event_of
 from smsl_studio.runlog.events import Committed, Event, FactChanged, RunFinished, RunStarted
+from tests.counts import share_of
 from tests.runlog.any_event import events
 
 
 @given(events())
-@settings(max_examples=150)
+@settings(max_examples=share_of(150))
 def test_an_event_comes_back_from_its_line(event: Event) -> None:
     text = event.line().encode("utf-8", "backslashreplace").decode("utf-8")
     found = event_of(json.loads(text))

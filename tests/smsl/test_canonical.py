@@ -13,6 +13,7 @@ from hypothesis import strategies as st
 
 from smsl_studio.smsl import json_form, native_form
 from smsl_studio.smsl.files import read_document
+from tests.counts import share_of
 from tests.smsl.native_texts import native
 from tests.smsl.texts import VALUES, texts
 
@@ -25,7 +26,7 @@ def comments(text: str) -> list[str]:
     return sorted(found.rstrip() for found in _COMMENT.findall(text) if found[0] == "/")
 
 
-@settings(max_examples=100, deadline=None)
+@settings(max_examples=share_of(100), deadline=None)
 @given(texts())
 def test_a_tidied_json_text_says_the_same(text: str) -> None:
     tidied = json_form.tidy(json_form.parse(text, "f.json"))
@@ -34,7 +35,7 @@ def test_a_tidied_json_text_says_the_same(text: str) -> None:
     assert json_form.tidy(again) is again
 
 
-@settings(max_examples=100, deadline=None)
+@settings(max_examples=share_of(100), deadline=None)
 @given(VALUES, st.integers(0, 10**6))
 def test_a_tidied_native_text_says_the_same_with_all_its_comments(values: Json, seed: int) -> None:
     document = native_form.parse(native(values, seed), "f.smsl")
@@ -45,7 +46,7 @@ def test_a_tidied_native_text_says_the_same_with_all_its_comments(values: Json, 
     assert native_form.tidy(again) is again
 
 
-@settings(max_examples=100, deadline=None)
+@settings(max_examples=share_of(100), deadline=None)
 @given(VALUES)
 def test_what_is_written_anew_is_tidy(values: Json) -> None:
     for form in (json_form, native_form):

@@ -9,10 +9,11 @@ import pytest
 
 from smsl_studio.errors import ReadError
 from smsl_studio.smsl.forms import form_named
+from tests.counts import share_of
 from tests.smsl.fuzzing import OPENERS, TOKENS, files, look
 
-FILES = 2000
-PARTS = 8
+FILES = share_of(2000)
+PARTS = max(1, FILES // 250)
 
 
 @pytest.mark.parametrize("part", range(PARTS))

@@ -14,6 +14,7 @@ from smsl_studio.errors import Place, ReadError
 from smsl_studio.smsl.document.limits import MAX_CHARACTERS, MAX_DEPTH
 from smsl_studio.smsl.files import parse_bytes, read_document
 from smsl_studio.smsl.json_form import parse_json, recover, write_json
+from tests.counts import share_of
 from tests.smsl.texts import VALUES, texts
 
 SAMPLES = sorted((Path(__file__).parents[2] / "samples").glob("*.json"))
@@ -31,7 +32,7 @@ def test_a_sample_comes_back_byte_for_byte(path: Path) -> None:
     assert read_document(path).encoded() == path.read_bytes()
 
 
-@settings(max_examples=300)
+@settings(max_examples=share_of(300))
 @given(texts())
 def test_any_document_comes_back_byte_for_byte(text: str) -> None:
     raw = text.encode("utf-8")
@@ -40,7 +41,7 @@ def test_any_document_comes_back_byte_for_byte(text: str) -> None:
     assert document.values == json.loads(text.removeprefix("\ufeff"))
 
 
-@settings(max_examples=100)
+@settings(max_examples=share_of(100))
 @given(VALUES)
 def test_new_text_reads_to_its_values(values: dict[str, object]) -> None:
     document = parse_json(write_json(values), "f.json")

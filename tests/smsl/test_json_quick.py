@@ -10,6 +10,7 @@ from hypothesis import given, settings
 from smsl_studio.errors import ReadError
 from smsl_studio.smsl.document import Document
 from smsl_studio.smsl.json_form import parse_json
+from tests.counts import share_of
 from tests.smsl.texts import texts
 
 BLANKS = " " * 70_000
@@ -35,7 +36,7 @@ def same(text: str) -> bool:
     return (long.doubled, long.duplicates()) == (short.doubled, short.duplicates())
 
 
-@settings(max_examples=100)
+@settings(max_examples=share_of(100))
 @given(texts())
 def test_any_text_reads_alike_short_and_long(text: str) -> None:
     assert same(text)

@@ -16,6 +16,7 @@ from smsl_studio.errors import ConvertError, Place, ReadError
 from smsl_studio.smsl.files import parse_bytes, read_document
 from smsl_studio.smsl.json_form import parse_json
 from smsl_studio.smsl.native_form import keep_winner, parse, write
+from tests.counts import share_of
 from tests.smsl.native_texts import native, plain
 from tests.smsl.texts import VALUES
 
@@ -86,7 +87,7 @@ def test_separators_comments_and_line_ends_change_nothing(change: Any) -> None:
     assert document.encoded() == text.encode()
 
 
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=share_of(150), deadline=None)
 @given(VALUES, st.integers(0, 10**6))
 def test_any_values_are_read_from_any_layout(values: Json, seed: int) -> None:
     text = native(values, seed)
@@ -95,7 +96,7 @@ def test_any_values_are_read_from_any_layout(values: Json, seed: int) -> None:
     assert json.dumps(document.values) == json.dumps(plain(values))
 
 
-@settings(max_examples=100, deadline=None)
+@settings(max_examples=share_of(100), deadline=None)
 @given(VALUES)
 def test_new_text_reads_to_its_values(values: Json) -> None:
     assert json.dumps(read(write(values))) == json.dumps(plain(values))
@@ -299,7 +300,7 @@ def damaged(text: str, chance: random.Random) -> str:
 def test_a_damaged_text_opens_or_is_refused_with_places() -> None:
     chance = random.Random(7)
     refused = 0
-    for seed in range(400):
+    for seed in range(share_of(400, least=200)):
         source = EXAMPLE.read_text("utf-8") if seed % 2 else native(VALUES_OF_EXAMPLE, seed)
         text = damaged(source, chance)
         try:

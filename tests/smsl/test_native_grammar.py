@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 
 from smsl_studio.errors import ReadError
 from smsl_studio.smsl.native_form import parse
+from tests.counts import share_of
 from tests.smsl.native_grammar import accepts
 from tests.smsl.native_texts import native
 
@@ -36,7 +37,7 @@ def opens(text: str) -> bool:
     return True
 
 
-@settings(max_examples=120, deadline=None)
+@settings(max_examples=share_of(120), deadline=None)
 @given(st.dictionaries(_NAMES, _BRANCHES, max_size=2), st.integers(0, 10**6))
 def test_the_reader_and_the_grammar_agree(values: dict[str, object], seed: int) -> None:
     chance = random.Random(seed)

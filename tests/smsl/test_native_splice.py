@@ -17,6 +17,7 @@ from hypothesis import strategies as st
 from smsl_studio.errors import ConvertError
 from smsl_studio.smsl.native_form import parse
 from smsl_studio.smsl.splice import reconcile
+from tests.counts import share_of
 from tests.smsl.native_texts import native, plain
 from tests.smsl.test_splice import edited, long_values, movable
 from tests.smsl.texts import VALUES
@@ -41,7 +42,7 @@ def mixed(old: Json, new: Json, chance: random.Random) -> Json:
     return result
 
 
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=share_of(150), deadline=None)
 @given(VALUES, VALUES, st.integers(0, 10**6))
 def test_any_text_comes_to_read_to_any_values(old: Json, new: Json, seed: int) -> None:
     chance = random.Random(seed)
@@ -55,14 +56,14 @@ def test_any_text_comes_to_read_to_any_values(old: Json, new: Json, seed: int) -
     assert reconcile(changed, new).text == changed.text
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=share_of(60), deadline=None)
 @given(VALUES, st.integers(0, 10**6))
 def test_values_that_do_not_differ_change_nothing(values: Json, seed: int) -> None:
     document = parse(native(values, seed), "f.smsl")
     assert reconcile(document, json.loads(json.dumps(plain(values)))) is document
 
 
-@settings(max_examples=100, deadline=None)
+@settings(max_examples=share_of(100), deadline=None)
 @given(VALUES, st.integers(0, 10**6))
 def test_one_more_element_is_put_in_and_nothing_else_moves(values: Json, seed: int) -> None:
     before = native(values, seed)

@@ -11,6 +11,7 @@ import pytest
 from smsl_studio.smsl.json_form import parse_json
 from smsl_studio.smsl.json_form.containers import Splicer
 from smsl_studio.smsl.splice import reconcile
+from tests.counts import share_of
 
 LAYOUTS: list[dict[str, Any]] = [{}, {"separators": (",", ":")}, {"indent": 1}, {"indent": 4}]
 
@@ -41,7 +42,7 @@ def _changed(random: Random, old: list[dict[str, Any]]) -> list[dict[str, Any]]:
     return new
 
 
-@pytest.mark.parametrize("seed", range(60))
+@pytest.mark.parametrize("seed", range(share_of(60)))
 def test_the_text_is_that_of_one_member_after_the_other(
     seed: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:

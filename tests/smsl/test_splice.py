@@ -13,6 +13,7 @@ from hypothesis import strategies as st
 from smsl_studio.smsl.json_form import parse_json
 from smsl_studio.smsl.json_form.spans import LONG, JsonSpans
 from smsl_studio.smsl.splice import keep_winner, reconcile
+from tests.counts import share_of
 from tests.smsl.texts import VALUES, written
 
 Json = Any
@@ -38,7 +39,7 @@ def movable(values: Json, depth: int = 0, free: bool = False) -> Json:
     return [movable(item, depth + 1) for item in values] if isinstance(values, list) else values
 
 
-@settings(max_examples=400)
+@settings(max_examples=share_of(400))
 @given(VALUES, VALUES, st.integers(0, 10**6))
 def test_any_text_comes_to_read_to_any_values(old: Json, new: Json, seed: int) -> None:
     document = parse_json(written(old, seed), "f.json")
@@ -49,14 +50,14 @@ def test_any_text_comes_to_read_to_any_values(old: Json, new: Json, seed: int) -
     assert reconcile(changed, new).text == changed.text
 
 
-@settings(max_examples=200)
+@settings(max_examples=share_of(200))
 @given(VALUES, st.integers(0, 10**6))
 def test_values_that_do_not_differ_change_nothing(values: Json, seed: int) -> None:
     document = parse_json(written(values, seed), "f.json")
     assert reconcile(document, json.loads(json.dumps(values))) is document
 
 
-@settings(max_examples=200)
+@settings(max_examples=share_of(200))
 @given(VALUES, st.integers(0, 10**6), st.data())
 def test_one_more_key_is_put_in_and_nothing_else_moves(
     values: Json, seed: int, data: st.DataObject

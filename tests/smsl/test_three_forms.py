@@ -22,6 +22,7 @@ from smsl_studio.smsl.forms import form_named
 from smsl_studio.smsl.json_form import parse_json, write_json
 from smsl_studio.smsl.splice import reconcile
 from tests.blueprint.test_any_edits import random_edit
+from tests.counts import share_of
 from tests.smsl.texts import NOTES
 
 FORMS = ("json", "smsl", "yaml")
@@ -204,7 +205,7 @@ BRANCHES = st.builds(
 FILES = st.builds(lambda a, b: {**a, **b}, FIELDS, st.dictionaries(NAMES, BRANCHES, max_size=3))
 
 
-@settings(max_examples=120)
+@settings(max_examples=share_of(120))
 @given(FILES, st.permutations(FORMS))
 def test_any_blueprint_goes_through_every_form(values: Json, order: list[str]) -> None:
     document = parse_json(write_json(values), "x.json")
@@ -216,7 +217,7 @@ def test_any_blueprint_goes_through_every_form(values: Json, order: list[str]) -
     assert in_order(dict(to(there, "json").values)) == in_order(values)
 
 
-@settings(max_examples=60)
+@settings(max_examples=share_of(60))
 @given(FILES, FILES, st.sampled_from(FORMS))
 def test_an_edit_reads_the_same_in_every_form(old: Json, new: Json, form: str) -> None:
     document = to(parse_json(write_json(old), "x.json"), form)
@@ -303,7 +304,7 @@ def test_a_history_of_edits_means_the_same_in_every_form(name: str, form: str) -
     assert done > 15
 
 
-@settings(max_examples=60)
+@settings(max_examples=share_of(60))
 @given(FILES, st.integers(0, 10**6), st.sampled_from(("smsl", "yaml")))
 def test_comments_anywhere_survive_tidying_and_converting(
     values: Json, seed: int, form: str

@@ -18,6 +18,7 @@ from smsl_studio.smsl.document.limits import MAX_DEPTH
 from smsl_studio.smsl.files import read_document
 from smsl_studio.smsl.forms import form_named
 from smsl_studio.smsl.yaml_form import keep_winner, parse, reconcile, recover, tidy, write
+from tests.counts import share_of
 from tests.smsl.texts import VALUES
 
 LISTS = """\
@@ -335,7 +336,7 @@ def test_tidying_twice_is_tidying_once() -> None:
     assert tidy(same) is same
 
 
-@settings(max_examples=150)
+@settings(max_examples=share_of(150))
 @given(VALUES)
 def test_what_is_written_reads_back_in_any_yaml(values: dict[str, Any]) -> None:
     text = write(values)
@@ -394,7 +395,7 @@ def test_what_is_no_name_or_map_has_a_spelling_too(value: Any) -> None:
         assert exact(parse(write(values), "f.yaml").values) == exact(values)
 
 
-@settings(max_examples=100)
+@settings(max_examples=share_of(100))
 @given(VALUES, VALUES)
 def test_an_edited_text_reads_to_the_edited_values(old: Any, new: Any) -> None:
     document = parse("# head\n" + write(old) + "# end\n", "f.yaml")

@@ -13,6 +13,7 @@ from smsl_studio.world.bullet import BulletWorld
 from smsl_studio.world.kinematics import Arm, rotation_of, rotation_of_rpy
 from smsl_studio.world.planned_world import MODELS
 from smsl_studio.world.urdf import read_urdf
+from tests.counts import share_of
 
 PANDA = read_urdf(MODELS / "franka_panda" / "panda.urdf")
 REST = (0.0, 0.05, 0.0, -2.25, 0.0, 2.3, 0.785)
@@ -40,7 +41,7 @@ def test_the_tool_is_where_the_engine_has_it(joints: tuple[float, ...]) -> None:
     world.close()
 
 
-@settings(max_examples=60)
+@settings(max_examples=share_of(60))
 @given(st.floats(0.35, 0.6), st.floats(-0.3, 0.3), st.floats(0.01, 0.4))
 def test_the_arm_gets_where_it_is_sent(x: float, y: float, z: float) -> None:
     joints = ARM.solve(np.array([x, y, z]), DOWN, near=np.array(REST))

@@ -19,6 +19,7 @@ from smsl_studio.generate.rules import hanoi
 from smsl_studio.shipped import samples_dir
 from smsl_studio.smsl.json_form import parse_json
 from tests.blueprint.test_any_edits import random_edit
+from tests.counts import share_of
 from tests.smsl.texts import texts
 
 OTHER_WAY = {ChangeKind.ADDED: ChangeKind.REMOVED, ChangeKind.REMOVED: ChangeKind.ADDED}
@@ -71,7 +72,7 @@ def must_agree(before: Blueprint, after: Blueprint) -> None:
     assert there.as_json()["same"] is there.same
 
 
-@settings(max_examples=100)
+@settings(max_examples=share_of(100))
 @given(texts(), st.integers(0, 10**6), st.integers(0, 6))
 def test_a_difference_is_told_exactly_where_the_meaning_differs(
     text: str, seed: int, times: int
@@ -83,14 +84,14 @@ def test_a_difference_is_told_exactly_where_the_meaning_differs(
     must_agree(before, edited(before, seed, times))
 
 
-@settings(max_examples=40)
+@settings(max_examples=share_of(40))
 @given(st.integers(0, 10**6), st.integers(1, 4))
 def test_hanoi_after_any_edits(seed: int, times: int) -> None:
     before = hanoi(2)
     must_agree(before, edited(before, seed, times))
 
 
-@settings(max_examples=40)
+@settings(max_examples=share_of(40))
 @given(texts(), texts())
 def test_any_two_files(one: str, other: str) -> None:
     must_agree(
@@ -104,7 +105,7 @@ BLUEPRINTS = tuple(
 )
 
 
-@settings(max_examples=60)
+@settings(max_examples=share_of(60))
 @given(st.sampled_from(BLUEPRINTS), st.integers(0, 10**6))
 def test_one_edit_anywhere_in_a_sample_is_one_change(before: Blueprint, seed: int) -> None:
     chance = random.Random(seed)

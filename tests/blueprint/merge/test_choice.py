@@ -25,8 +25,10 @@ from tests.blueprint.merge.random_merges import sides
 from tests.blueprint.merge.sides import things
 from tests.blueprint.merge.test_merge import BASE, changed, merged, without_s2
 from tests.blueprint.values import read
+from tests.counts import share_of
 
-PARTS = 4
+COUNT = share_of(100)
+PARTS = COUNT // 25
 
 
 def chosen(blueprint: Blueprint, side: Side, chance: Random | None = None) -> Blueprint:
@@ -42,7 +44,7 @@ def chosen(blueprint: Blueprint, side: Side, chance: Random | None = None) -> Bl
 
 @pytest.mark.parametrize("part", range(PARTS))
 def test_all_mine_is_the_merged_blueprint_without_its_conflicts(part: int) -> None:
-    for number in range(part, 100, PARTS):
+    for number in range(part, COUNT, PARTS):
         base, ours, theirs = sides(number, renames=True)
         done = merge(base, ours, theirs)
         assert things(chosen(done.blueprint, "ours")) == things(done.blueprint), number
@@ -51,7 +53,7 @@ def test_all_mine_is_the_merged_blueprint_without_its_conflicts(part: int) -> No
 @pytest.mark.parametrize("part", range(PARTS))
 def test_all_mine_is_ours_where_theirs_changed_nothing_else(part: int) -> None:
     """Theirs gets back what it changed alone, so that only conflicts are left of it."""
-    for number in range(part, 100, PARTS):
+    for number in range(part, COUNT, PARTS):
         base, ours, theirs = sides(number, renames=False)
         done = merge(base, ours, theirs)
         again = merge(base, ours, chosen(done.blueprint, "ours"))
@@ -66,7 +68,7 @@ def test_all_mine_is_ours_where_theirs_changed_nothing_else(part: int) -> None:
 @pytest.mark.parametrize("part", range(PARTS))
 def test_all_theirs_is_the_merge_with_the_sides_swapped(part: int) -> None:
     seen = 0
-    for number in range(part, 200, PARTS):
+    for number in range(part, 2 * COUNT, PARTS):
         base, ours, theirs = sides(number, renames=number % 4 == 3)
         done = merge(base, ours, theirs)
         swapped = chosen(merge(base, theirs, ours).blueprint, "ours")

@@ -9,6 +9,7 @@ from hypothesis import strategies as st
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.dispatch.people.task import Task
+from tests.counts import share_of
 from tests.dispatch.fake_host import FakeHost
 from tests.dispatch.people.tasks import Attended
 from tests.dispatch.runs import blueprint, branch
@@ -90,7 +91,7 @@ def act(story: Attended, one: tuple[Any, ...]) -> None:
             getattr(dispatcher, word)()
 
 
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=share_of(150), deadline=None)
 @given(
     st.lists(ACTS, min_size=8, max_size=40),
     st.booleans(),

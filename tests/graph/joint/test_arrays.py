@@ -23,6 +23,7 @@ from smsl_studio.graph.joint.products import JointBox
 from smsl_studio.graph.joint.ranks import ranked
 from smsl_studio.graph.joint.reach import JointReach
 from smsl_studio.smsl.json_form import parse_json
+from tests.counts import share_of
 from tests.graph.joint.test_products import drawn
 
 
@@ -53,7 +54,7 @@ def runs(steps: JointSteps, goals: SearchGoals, reach: JointReach) -> list[Found
     return found
 
 
-@pytest.mark.parametrize("seed", range(40))
+@pytest.mark.parametrize("seed", range(share_of(40)))
 def test_all_numberings_find_the_same(seed: int) -> None:
     chance = Random(seed)
     try:

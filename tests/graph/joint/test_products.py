@@ -20,6 +20,7 @@ from smsl_studio.graph.joint.reach import JointReach
 from smsl_studio.inspection.proof.exploration import Exploration
 from smsl_studio.inspection.proof.space import Space
 from smsl_studio.smsl.json_form import parse_json
+from tests.counts import share_of
 from tests.dispatch.generated import SHAPES, blueprint_values
 
 Code = tuple[int, ...]
@@ -120,6 +121,6 @@ def agree(plain: dict[str, Any], limit: int = 3_000) -> bool:
     return True
 
 
-@pytest.mark.parametrize("seed", range(60))
+@pytest.mark.parametrize("seed", range(share_of(60)))
 def test_products_are_the_steps_of_the_stepper(seed: int) -> None:
     agree(drawn(seed))

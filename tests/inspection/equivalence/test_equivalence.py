@@ -12,6 +12,7 @@ from smsl_studio.errors import EditRefused, PlanningError, RunRefused
 from smsl_studio.front.inputs import read
 from smsl_studio.front.shapes import diff_behaviour, flatten
 from smsl_studio.inspection.equivalence.refinement import Refinement
+from tests.counts import share_of
 from tests.dispatch.generated import blueprint_values
 from tests.inspection.equivalence.pairs import blueprint, changed
 from tests.inspection.equivalence.plain import (
@@ -25,7 +26,7 @@ from tests.inspection.proof.brute import starts_of
 from tests.stories.person import SAMPLES
 
 
-@pytest.mark.parametrize("seed", range(60))
+@pytest.mark.parametrize("seed", range(share_of(60)))
 def test_a_plain_bisimulation_says_the_same(seed: int) -> None:
     chance = Random(seed)
     plain = blueprint_values(seed)
@@ -54,7 +55,7 @@ def test_both_verdicts_come_up() -> None:
     assert verdicts == {True, False}
 
 
-@pytest.mark.parametrize("seed", range(40))
+@pytest.mark.parametrize("seed", range(share_of(40)))
 def test_a_label_that_leads_to_several_configurations(seed: int) -> None:
     chance = Random(seed)
     sizes = chance.randint(2, 5), chance.randint(2, 5)

@@ -17,6 +17,7 @@ from smsl_studio.front.exploration import ExploredSpace, explore
 from smsl_studio.inspection.explorer.as_set import counted
 from smsl_studio.inspection.explorer.explorer import MOST, ExploredMode, explored_coupled
 from smsl_studio.smsl.json_form import parse_json
+from tests.counts import share_of
 from tests.dispatch.generated import blueprint_values
 from tests.dispatch.naive import Config
 from tests.inspection.proof.brute import Brute, starts_of
@@ -113,7 +114,7 @@ def held_against(
     assert lengths == nearest[:MOST]
 
 
-@pytest.mark.parametrize("seed", range(40))
+@pytest.mark.parametrize("seed", range(share_of(40)))
 def test_a_plain_search_finds_the_same(seed: int) -> None:
     plain = blueprint_values(seed)
     whole = blueprint(plain)

@@ -15,6 +15,7 @@ from smsl_studio.inspection.proof.engines import ENGINES
 from smsl_studio.inspection.proof.prove import PlannedRoute, Scope, prove
 from smsl_studio.inspection.proof.verdict import PropertyVerdict
 from smsl_studio.smsl.json_form import parse_json
+from tests.counts import share_of
 from tests.dispatch.generated import SHAPES, blueprint_values
 from tests.inspection.proof.asked_steps import asked_steps
 from tests.inspection.proof.brute import drawn_condition
@@ -97,12 +98,12 @@ def compare(seed: int) -> None:
             assert run == wanted, one.name
 
 
-@pytest.mark.parametrize("seed", range(80))
+@pytest.mark.parametrize("seed", range(share_of(80)))
 def test_cones_and_diagrams_change_no_verdict_and_no_run(seed: int) -> None:
     compare(seed)
 
 
-@pytest.mark.parametrize("seed", range(40))
+@pytest.mark.parametrize("seed", range(share_of(40)))
 def test_what_fails_elsewhere_changes_no_verdict_and_no_length(seed: int) -> None:
     """SBs that can fail and do not touch a claim: the SBs of the claim are looked at first."""
     chance = Random(f"elsewhere {seed}")

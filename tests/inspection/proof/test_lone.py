@@ -16,6 +16,7 @@ from smsl_studio.inspection.proof.exploration import Exploration
 from smsl_studio.inspection.proof.lone import LoneExploration, is_lone
 from smsl_studio.inspection.proof.space import Space
 from smsl_studio.smsl.json_form import parse_json
+from tests.counts import share_of
 from tests.dispatch.generated import blueprint_values
 from tests.inspection.proof.brute import drawn_condition
 
@@ -30,7 +31,7 @@ def told(found: Exploration) -> list[Any]:
     return [found.keys, steps, depths, found.bound, list(map(found.origin, range(len(found))))]
 
 
-@pytest.mark.parametrize("seed", range(40))
+@pytest.mark.parametrize("seed", range(share_of(40)))
 def test_the_graph_of_one_sb_has_all_its_steps(seed: int) -> None:
     chance = Random(seed)
     plain = blueprint_values(seed, 0)

@@ -24,6 +24,7 @@ from smsl_studio.inspection.proof.prove import prove as proved
 from smsl_studio.inspection.proof.verdict import Counterexample, PropertyVerdict
 from smsl_studio.runlog.events import Committed
 from smsl_studio.smsl.json_form import parse_json
+from tests.counts import share_of
 from tests.dispatch.generated import blueprint_values
 from tests.inspection.proof.brute import Brute, Hit, drawn_condition
 
@@ -83,7 +84,7 @@ def answered(values: dict[str, Any], scope: Scope) -> dict[str, PropertyVerdict]
     return {one.name: one for one in found}
 
 
-@pytest.mark.parametrize("seed", range(60))
+@pytest.mark.parametrize("seed", range(share_of(60)))
 def test_brute_force_gives_the_same(seed: int) -> None:
     judge(seed, [list(ENGINES)[seed % len(ENGINES)]])
 

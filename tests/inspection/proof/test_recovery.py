@@ -13,6 +13,7 @@ from smsl_studio.blueprint.reading import read_blueprint
 from smsl_studio.errors import RunRefused
 from smsl_studio.front.recovery import recoverability
 from smsl_studio.smsl.json_form import parse_json
+from tests.counts import share_of
 from tests.dispatch.generated import blueprint_values
 from tests.dispatch.naive import Config, Naive
 
@@ -34,7 +35,7 @@ def fewest(naive: Naive, start: Config) -> int | None:
     return None
 
 
-@pytest.mark.parametrize("seed", range(40))
+@pytest.mark.parametrize("seed", range(share_of(40)))
 def test_a_plain_search_finds_the_same(seed: int) -> None:
     chance = Random(seed)
     plain: dict[str, Any] = blueprint_values(seed, chance.randrange(5))

@@ -19,6 +19,7 @@ from smsl_studio.graph.layout import place_states
 from smsl_studio.smsl.json_form import parse_json
 from smsl_studio.studio.document.places import Places, Position
 from tests.blueprint.test_any_edits import random_edit
+from tests.counts import share_of
 
 
 def branch(*names: str) -> StateBranch:
@@ -62,7 +63,7 @@ def random_tables(chance: Random) -> dict[str, object]:
     return {"SB": {"HEADER": {"INITIAL": names[0]}, **table}}
 
 
-@pytest.mark.parametrize("seed", range(60))
+@pytest.mark.parametrize("seed", range(share_of(60)))
 def test_after_any_edit_a_file_that_is_opened_again_looks_the_same(seed: int) -> None:
     chance = Random(seed)
     blueprint = read_blueprint(parse_json(json.dumps(random_tables(chance)), "x.json"))

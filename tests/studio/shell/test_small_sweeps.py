@@ -13,6 +13,9 @@ from smsl_studio.studio.shell.sweeper import MANY, YOUNG, Sweeper
 
 pytestmark = pytest.mark.usefixtures("qapp")
 
+ENOUGH = YOUNG + 100
+"""New objects that are worth a collection, even if a thread of the tests frees some meanwhile."""
+
 
 class _Ring:
     """An object that holds itself, so only the collector frees it."""
@@ -60,7 +63,7 @@ def test_no_collection_looks_at_many_objects(looks: list[int]) -> None:
     sweeper = Sweeper(owner)
     kept = []
     for _ in range(30):
-        kept.append(_many(YOUNG + 1))
+        kept.append(_many(ENOUGH))
         assert sweeper.sweep()
     assert len(looks) == 30
     assert max(looks) < 2 * MANY < sum(map(len, kept))
@@ -77,7 +80,7 @@ def test_garbage_is_freed_soon(looks: list[int]) -> None:
     sweeper, ring = Sweeper(owner), _Ring()
     gone = weakref.ref(ring)
     del ring
-    kept = _many(YOUNG + 1)
+    kept = _many(ENOUGH)
     sweeper.sweep()
     assert gone() is None
     assert kept

@@ -9,20 +9,21 @@ from pytestqt.qtbot import QtBot
 from smsl_studio.studio.base.lines.choice import ChoiceLine
 from smsl_studio.studio.base.lines.line import ShownValue
 from smsl_studio.studio.base.lines.text import ListLine, NumberBounds, NumberLine, number_text
+from tests.counts import share_of
 
 words = st.text(
     st.characters(exclude_categories=["Cs", "Cc", "Z"]) | st.sampled_from(' ,"'), min_size=1
 ).filter(lambda text: text == text.strip())
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=share_of(60), deadline=None)
 @given(st.lists(words, min_size=1, max_size=5, unique=True))
 def test_a_list_is_read_as_it_is_shown(qapp: object, texts: list[str]) -> None:
     line = ListLine("Sensors", "")
     assert line.value_of(line.text_of(texts)) == texts
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=share_of(60), deadline=None)
 @given(st.floats(0, 1e12))
 def test_a_number_is_read_as_it_is_shown(qapp: object, value: float) -> None:
     line = NumberLine("Cost", "", NumberBounds())

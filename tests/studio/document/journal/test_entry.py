@@ -12,6 +12,7 @@ from hypothesis import strategies as st
 
 from smsl_studio.errors import ReadError
 from smsl_studio.studio.document.journal.entry import MAGIC, JournalEntry, KeptText, decode, encode
+from tests.counts import share_of
 
 names = st.text(st.characters(exclude_characters="\0"), max_size=30)
 texts = st.text(st.characters(), max_size=60)
@@ -25,13 +26,13 @@ ENTRY = JournalEntry("a.json", "/x/a.json", "/x/a.json", "2026-01-02T03:04:05", 
 
 
 @given(entries)
-@settings(max_examples=60)
+@settings(max_examples=share_of(60))
 def test_what_was_written_is_read(entry: JournalEntry) -> None:
     assert decode(encode(entry)) == entry
 
 
 @given(entries, st.randoms(use_true_random=False))
-@settings(max_examples=60)
+@settings(max_examples=share_of(60))
 def test_a_journal_that_was_cut_or_damaged_is_refused_or_reads_as_a_whole(
     entry: JournalEntry, chance: random.Random
 ) -> None:
@@ -51,7 +52,7 @@ def test_a_journal_that_was_cut_or_damaged_is_refused_or_reads_as_a_whole(
 
 
 @given(st.binary(max_size=200))
-@settings(max_examples=60)
+@settings(max_examples=share_of(60))
 def test_any_other_bytes_are_refused_with_a_sentence(raw: bytes) -> None:
     for odd in (raw, MAGIC + raw, MAGIC + b"{" + raw + b"}\n"):
         with pytest.raises(ReadError, match="journal cannot be read"):

@@ -6,6 +6,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from smsl_studio.studio.features.draw.find.haystack import LETTERS, Haystack
+from tests.counts import share_of
 
 letters = st.text(st.sampled_from("abAB01_ İßé"), max_size=6)
 lines = st.lists(st.builds(lambda name, more: f"{name}\t{more}", letters, letters), max_size=12)
@@ -15,7 +16,7 @@ def holds(line: str, word: str) -> bool:
     return word in line.lower()
 
 
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=share_of(150), deadline=None)
 @given(lines, st.text(st.sampled_from("ab01_ "), min_size=1, max_size=5))
 def test_every_line_with_all_words_is_found(haystack: list[str], typed: str) -> None:
     words = typed.lower().split()
@@ -49,7 +50,7 @@ def test_special_characters_of_expressions_are_plain_characters() -> None:
     assert names(lines, "x" * 5000) == []
 
 
-@settings(max_examples=100, deadline=None)
+@settings(max_examples=share_of(100), deadline=None)
 @given(lines, st.text(st.sampled_from("ab01_ "), max_size=4))
 def test_every_line_that_holds_the_text_is_told_in_order_with_its_place(
     haystack: list[str], typed: str

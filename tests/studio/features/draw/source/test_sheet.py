@@ -8,6 +8,7 @@ from hypothesis import strategies as st
 from smsl_studio.studio.features.draw.source.patches import patches
 from smsl_studio.studio.features.draw.source.sheet import LONG, TextSheet
 from smsl_studio.studio.features.draw.source.shown_text import from_units, shown, units
+from tests.counts import share_of
 
 EXACT = st.lists(
     st.sampled_from(["a", '"', "{", "\n", "\r\n", "\r", "\u2028", "é", "𝛼", "\ufeff", "\x85"]),
@@ -36,7 +37,7 @@ def type_into(sheet: TextSheet, start: int, end: int, words: str) -> bool:
     return sheet.typed(first, last, lines, start - (before.rfind("\n", 0, start) + 1))
 
 
-@settings(max_examples=300)
+@settings(max_examples=share_of(300))
 @given(typing())
 @example(("a\ufeff", 0, 1, ""))
 def test_what_is_shown_is_what_was_typed(case: tuple[str, int, int, str]) -> None:
@@ -49,7 +50,7 @@ def test_what_is_shown_is_what_was_typed(case: tuple[str, int, int, str]) -> Non
     assert sheet.shown == TextSheet(sheet.text).shown
 
 
-@settings(max_examples=300)
+@settings(max_examples=share_of(300))
 @given(typing())
 def test_what_was_not_touched_keeps_its_spelling(case: tuple[str, int, int, str]) -> None:
     text, start, end, words = case
@@ -64,7 +65,7 @@ def test_what_was_not_touched_keeps_its_spelling(case: tuple[str, int, int, str]
     assert sheet.text.endswith(tail) or "\r" in text
 
 
-@settings(max_examples=200)
+@settings(max_examples=share_of(200))
 @given(EXACT, EXACT)
 def test_a_patched_sheet_is_that_of_the_new_text(old: str, new: str) -> None:
     sheet, lines = TextSheet(old), TextSheet(old).shown.split("\n")

@@ -13,6 +13,7 @@ from smsl_studio.blueprint import editing
 from smsl_studio.blueprint.address import Address
 from smsl_studio.studio.base.theme import LIGHT
 from smsl_studio.studio.features.draw.source.editor import Editor
+from tests.counts import share_of
 from tests.studio.features.draw.source.conftest import CTRL, HFSM, SHIFT, Writer
 
 At = Callable[..., Writer]
@@ -146,7 +147,7 @@ EXACT = st.lists(
 ).map("".join)
 
 
-@settings(max_examples=60)
+@settings(max_examples=share_of(60))
 @given(st.sampled_from(["", "\ufeff"]), EXACT, MOVES)
 def test_the_widget_shows_the_sheet_whatever_is_typed(
     qapp: object, bom: str, text: str, moves: list[tuple[int, int, str]]
