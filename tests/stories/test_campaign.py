@@ -182,3 +182,23 @@ def test_what_cannot_be_carried_out_is_said(sit: Sit) -> None:
 )
 def test_the_time_that_is_left_is_coarse(seconds: float, words: str) -> None:
     assert duration(seconds) == words
+
+
+def test_what_ended_otherwise_becomes_a_note_that_can_be_taken_back(person: Person) -> None:
+    dialog = asked(person)
+    person.choose(dialog.world, "table")
+    dialog.seeds.setText("1")
+    person.click(dialog.begin)
+    over(person)
+    shown, before = page(person), person.blueprint
+    shown.table.choose("SB/State_a/Go", "fail")
+    assert shown.table.chosen is not None
+    assert shown.side.foreseen.text().startswith("Foreseen: held"), "there is no other way"
+    assert shown.differ.text().endswith("  0")
+    shown.finding_wanted.emit(shown.table.chosen, "reached")
+    (note,) = person.blueprint["SB"].drawn.notes.values()
+    assert note.text.startswith("Campaign in the world table: fail in Go. Foreseen: reached")
+    assert note.state == "State_a"
+    assert [str(one) for one in person.window.session.selection] == ["SB/State_a/Go"]
+    person.ctrl(Key.Key_Z)
+    assert person.blueprint.document.text == before.document.text

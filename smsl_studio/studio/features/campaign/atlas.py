@@ -25,6 +25,7 @@ from PySide6.QtWidgets import (
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.front.campaign_foreseen import Foresight
 from smsl_studio.front.campaign_tally import CampaignCell, CampaignShare, CampaignTally, share_of
 from smsl_studio.front.views.states import short_name
 from smsl_studio.legible import plain_text
@@ -35,9 +36,11 @@ from smsl_studio.studio.base.rows import TextInk, paint_text
 from smsl_studio.studio.base.theme import RADIUS_CHIP, Tokens
 from smsl_studio.studio.base.tips import tip_text
 from smsl_studio.studio.features.campaign.marks import (
+    TICKS,
     counts_words,
     paint_counts,
     paint_share,
+    paint_ticks,
     paint_waiting,
 )
 
@@ -61,6 +64,7 @@ class AtlasModel(QAbstractTableModel):
     def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)
         self.tally = CampaignTally()
+        self.foresight: Foresight | None = None
         self._names: dict[str, tuple[str, str]] = {}
 
     @property
@@ -157,7 +161,21 @@ class AtlasModel(QAbstractTableModel):
             return "cannot occur here"
         if cell.runs < cell.seeds:
             return f"{cell.runs:,} of {cell.seeds:,} runs" if cell.runs else "not yet run"
-        return counts_words(cell.counts)
+        other = f", foreseen {self.foreseen(cell)}" if self.differs(cell) else ""
+        return f"{counts_words(cell.counts)}{other}"
+
+    def foreseen(self, cell: CampaignCell) -> str:
+        """How runs of a cell were foreseen to end; empty if that is not known."""
+        return self.foresight.known.get(cell.edge, "") if self.foresight is not None else ""
+
+    def differs(self, cell: CampaignCell) -> bool:
+        """Whether a cell ended otherwise than foreseen."""
+        return self.foresight is not None and self.foresight.differs(cell)
+
+    @property
+    def differing(self) -> tuple[CampaignCell, ...]:
+        """The cells that ended otherwise than foreseen."""
+        return tuple(one for one in self.tally.cells if self.differs(one))
 
 
 def names_of(edge: str, blueprint: Blueprint) -> tuple[str, str]:
@@ -180,6 +198,8 @@ class _AtlasCells(QStyledItemDelegate):
     def __init__(self, tokens: Tokens, parent: QWidget) -> None:
         super().__init__(parent)
         self.tokens, self.pale = tokens, False
+        self.only = False
+        """Whether cells that ended as foreseen are dimmed."""
 
     def paint(self, painter: QPainter, option: QStyleOptionViewItem, index: Index) -> None:
         """Paint one place."""
@@ -203,7 +223,13 @@ class _AtlasCells(QStyledItemDelegate):
             self._share(painter, room, share, wide=column == model.columnCount() - 1)
         else:
             box = room.adjusted(3, 3, -3, -4)
-            self._cell(painter, box, model.cell(index))
+            cell = model.cell(index)
+            if self.only and (cell is None or not model.differs(cell)):
+                painter.setOpacity(0.2)
+            ticks = cell is not None and cell.runs >= cell.seeds and bool(model.foreseen(cell))
+            self._cell(painter, box.adjusted(0, 0, -TICKS if ticks else 0, 0), cell)
+            if ticks and cell is not None:
+                paint_ticks(painter, box, model.differs(cell), tokens)
             if option.state & QStyle.StateFlag.State_Selected:
                 painter.setPen(QPen(tokens.acc, 2))
                 painter.setBrush(Qt.BrushStyle.NoBrush)
@@ -312,6 +338,16 @@ class AtlasTable(QTableView):
             self.choose(before.edge, before.fault)
         if again or self.horizontalHeader().sectionSize(0) < NAME // 2:
             self._fit()
+
+    def show_foresight(self, foresight: Foresight | None, only: bool) -> None:
+        """Show what was foreseen, and with ``only`` the cells that ended otherwise alone."""
+        atlas = self.atlas
+        atlas.foresight, self._cells.only = foresight, only
+        kept = {one.edge for one in atlas.differing} if only else set(atlas.tally.edges)
+        for at, edge in enumerate(atlas.tally.edges):
+            if self.isRowHidden(at) is (edge in kept):
+                self.setRowHidden(at, edge not in kept)
+        self.viewport().update()
 
     def show_pale(self, pale: bool) -> None:
         """Dim everything, because it is about another version."""

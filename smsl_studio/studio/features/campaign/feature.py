@@ -30,6 +30,8 @@ if TYPE_CHECKING:
 
 NAME = "Campaign"
 KINDS = "Report (*.html);;Results (*.json)"
+AT = 40.0
+"""How far a note stands right of its state, and half of how far below (pixels)."""
 MOST_KEPT = 50
 """The largest number of campaigns whose results are kept."""
 
@@ -72,6 +74,7 @@ class CampaignFeature(Feature):
         page.new_wanted.connect(self.new)
         page.rates_wanted.connect(self.write_rates)
         page.replay_wanted.connect(self._replay)
+        page.finding_wanted.connect(self.open_finding)
         session.blueprint_changed.connect(lambda *_: page.show_drawing(session.blueprint))
         page.show_drawing(session.blueprint)
         return page
@@ -184,6 +187,34 @@ class CampaignFeature(Feature):
 
         dialog.accepted.connect(write)
         dialog.open()
+
+    def open_finding(self, cell: CampaignCell, told: str) -> None:
+        """Write a note of what ended otherwise than foreseen, as one step of the history, and show
+        it."""
+        from datetime import date
+
+        from smsl_studio.blueprint.address import Address
+        from smsl_studio.blueprint.editing.drawn import free_keys, put_notes
+        from smsl_studio.front.campaign_foreseen import finding_of
+
+        assert self.work is not None
+        assert self.work.request is not None
+        session, edge = self._parts.session, Address(*Address.split(cell.edge))
+        if edge.state not in getattr(session.blueprint.branches.get(edge.branch), "table", {}):
+            self._parts.toast.say("The drawing has no such state any more.")
+            return
+        words = {
+            "text": finding_of(cell, told, self.work.request.world), "state": edge.state,
+            "date": date.today().isoformat(), "at": (AT, 2 * AT),
+        }  # fmt: skip
+        key = next(free_keys(session.blueprint[edge.branch].drawn.notes))
+        done = session.edit(
+            "Note of the campaign", lambda before: put_notes(before, edge.branch, {key: words})
+        )
+        if done:
+            self._shell.set_mode("draw")
+            session.select((edge,))
+            self._parts.toast.offer("Wrote a note of the campaign.", "Undo", session.history.undo)
 
     def export(self) -> None:
         """Save a report or the results."""

@@ -59,6 +59,21 @@ def paint_counts(painter: QPainter, box: QRectF, counts: Mapping[str, int], toke
         left = part.right()
 
 
+TICKS = 10.0
+"""The room for the ticks of a cell (pixels)."""
+
+
+def paint_ticks(painter: QPainter, box: QRectF, differs: bool, tokens: Tokens) -> None:
+    """Paint two ticks at the right of a cell: what was foreseen above, what was seen below. They
+    are in line if both are the same."""
+    x, half = box.right() - 5, box.height() / 2 - 2
+    painter.setPen(Qt.PenStyle.NoPen)
+    painter.setBrush(tokens.tx)
+    painter.drawRect(QRectF(x, box.top() + 1, 2, half))
+    painter.setBrush(tokens.bad if differs else tokens.tx)
+    painter.drawRect(QRectF(x - (4 if differs else 0), box.bottom() - 1 - half, 2, half))
+
+
 def paint_waiting(painter: QPainter, box: QRectF, words: str, tokens: Tokens) -> None:
     """Paint a cell that is not finished: dashed, with how far it is if it has begun."""
     ink = tokens.acc if words else tokens.line2

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import Qt, Signal
+from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import (
     QProgressBar,
@@ -13,6 +13,7 @@ from PySide6.QtWidgets import (
 )
 
 from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.front.campaign_foreseen import Foresight
 from smsl_studio.studio.base.controls import Elided, label, row, rule
 from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.base.tips import tip_text
@@ -24,7 +25,8 @@ from smsl_studio.studio.running.frames import split
 EMPTY = "No campaign yet. Choose faults and seeds."
 LEGEND = (
     "✓ reached the goal    ‖ held before it    ✗ failed    — cannot occur there    "
-    "dashed: not yet run    bar: 95 % interval of the share that reached the goal"
+    "dashed: not yet run    bar: 95 % interval of the share that reached the goal    "
+    "two short ticks: foreseen above, seen below; apart: they differ"
 )
 ANOTHER = "Made for another version of the drawing"
 PHASES = {RUNNING: "Running", PAUSING: "Pausing after this run", PAUSED: "Paused", DONE: "Done"}
@@ -34,6 +36,9 @@ class CampaignPage(QWidget):
     """The page. It shows the work and does nothing by itself."""
 
     new_wanted, rates_wanted = Signal(), Signal()
+    finding_wanted = Signal(object, str)
+    """CampaignCell, str: a cell that ended otherwise than foreseen shall stand on the drawing as a
+    note, and how it was foreseen."""
     replay_wanted = Signal(object, int)
     """CampaignCell, seed: the person wants to see this run again."""
 
@@ -49,6 +54,14 @@ class CampaignPage(QWidget):
         self.bar.setAccessibleName("Runs that are done")
         self.rates = _button("Costs and risks…", "See what the runs say of costs and risks, and "
                              "write it into the blueprint")  # fmt: skip
+        self.differ = _button("", "Show only what ended otherwise than the blueprint foresees")
+        self.differ.setCheckable(True)
+        self.differ.setProperty("role", "switch")
+        self.differ.toggled.connect(lambda _: self._show_foresight())
+        self._foresight: Foresight | None = None
+        self._foreseen_for: object = None
+        self._looking = QTimer(self, interval=0)
+        self._looking.timeout.connect(self._look)
         self.table, self.side = AtlasTable(tokens), CampaignSide(tokens)
         self.begin = QPushButton("New campaign…")
         self.begin.setProperty("role", "primary")
@@ -56,6 +69,7 @@ class CampaignPage(QWidget):
         self._build()
         self.table.cell_chosen.connect(lambda _: self._show_cell())
         self.side.replay_wanted.connect(self._replay)
+        self.side.finding_wanted.connect(self._open_finding)
         self.begin.clicked.connect(self.new_wanted)
         self.rates.clicked.connect(self.rates_wanted)
         work.changed.connect(self.refresh)
@@ -65,6 +79,7 @@ class CampaignPage(QWidget):
         self._head = QWidget()
         top = row(self.done, self.bar, self.words, spacing=12)
         top.setStretch(2, 1)
+        top.addWidget(self.differ)
         top.addWidget(self.rates)
         top.setContentsMargins(16, 8, 16, 8)
         self._head.setLayout(top)
@@ -130,7 +145,50 @@ class CampaignPage(QWidget):
         self.rates.setEnabled(tally.done > 0 and tally.faults != ("",) and not self.is_another)
         self.table.show_tally(tally, request.blueprint)
         self.table.show_pale(self.is_another)
+        self._foresee()
         self._show_cell()
+
+    def _foresee(self) -> None:
+        """Look at each operation of a new campaign, one at a time, so that the window answers."""
+        request, tally = self._work.request, self._work.tally
+        if request is not self._foreseen_for:
+            self._foreseen_for = request
+            self._foresight = None
+            if request is not None:
+                self._foresight = Foresight(request.blueprint, request.goals)
+        waits = self._foresight is not None and any(
+            edge not in self._foresight.known for edge in tally.edges
+        )
+        if waits and not self._looking.isActive():
+            self._looking.start()
+        self._show_foresight()
+
+    def _look(self) -> None:
+        told = self._foresight
+        edges = self._work.tally.edges
+        rest = [edge for edge in edges if told is not None and edge not in told.known]
+        if told is None or not rest:
+            self._looking.stop()
+        else:
+            told.look(rest[0])
+            if len(rest) > 1:
+                return
+        self._show_foresight()
+        self._show_cell()
+
+    def _show_foresight(self) -> None:
+        self.table.show_foresight(self._foresight, self.differ.isChecked())
+        count = len(self.table.atlas.differing)
+        words = f"Prediction and outcome differ  {count}"
+        if self.differ.text() != words:
+            self.differ.setText(words)
+            self.differ.setAccessibleName(words)
+        self.differ.setEnabled(self._work.tally.faults not in ((), ("",)))
+
+    def _open_finding(self) -> None:
+        cell = self.table.chosen
+        if cell is not None:
+            self.finding_wanted.emit(cell, self.table.atlas.foreseen(cell))
 
     def _told(self) -> str:
         work, request = self._work, self._work.request
@@ -164,7 +222,10 @@ class CampaignPage(QWidget):
 
     def _show_cell(self) -> None:
         request = self._work.request
-        self.side.show_cell(self.table.chosen, request.blueprint if request is not None else None)
+        cell, atlas = self.table.chosen, self.table.atlas
+        self.side.show_cell(cell, request.blueprint if request is not None else None)
+        told = atlas.foreseen(cell) if cell is not None and cell.runs >= cell.seeds else ""
+        self.side.show_foreseen(told, cell is not None and atlas.differs(cell))
 
     def _replay(self, seed: int) -> None:
         if self.table.chosen is not None:

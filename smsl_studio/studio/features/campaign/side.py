@@ -15,6 +15,7 @@ from PySide6.QtWidgets import (
 )
 
 from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.front.campaign_foreseen import WHY
 from smsl_studio.front.campaign_runs import RunVerdict
 from smsl_studio.front.campaign_tally import KINDS, CampaignCell, CampaignShare, kind_of, share_of
 from smsl_studio.studio.base.controls import Elided, label, row, rule
@@ -78,6 +79,8 @@ class _Share(QWidget):
 class CampaignSide(QWidget):
     """The column at the right of the table."""
 
+    finding_wanted = Signal()
+    """The person wants this cell, which ended otherwise than foreseen, on the drawing."""
     replay_wanted = Signal(int)
     """int: the seed of the run that the person wants to see again."""
 
@@ -106,6 +109,13 @@ class CampaignSide(QWidget):
         self.replay.setToolTip(
             tip_text("Carry this very run out again with its seed and its fault, and show it")
         )
+        self.foreseen = label("", "small")
+        self.foreseen.setWordWrap(True)
+        self.finding = QPushButton("Open as finding")
+        self.finding.setToolTip(
+            tip_text("Write a note at the state where the operation begins, and show it in Draw")
+        )
+        self.finding.clicked.connect(self.finding_wanted)
         self.told = label("", "small")
         self.told.setWordWrap(True)
         self.replay.clicked.connect(self._ask)
@@ -125,6 +135,8 @@ class CampaignSide(QWidget):
         inner.addWidget(self.between)
         inner.addWidget(self._share)
         inner.addWidget(self.after)
+        inner.addWidget(self.foreseen)
+        inner.addWidget(self.finding)
         inner.addWidget(rule())
         inner.addWidget(self.runs, 1)
         inner.addWidget(self.told)
@@ -169,6 +181,14 @@ class CampaignSide(QWidget):
         if self.seed is None and cell.verdicts:
             self.runs.setCurrentIndex(self.runs.rows.index(0))
         self._name_run()
+
+    def show_foreseen(self, told: str, differs: bool) -> None:
+        """Show how the runs were foreseen to end; empty for nothing. If they ended otherwise, a
+        button offers to open that as a finding."""
+        other = ". They ended otherwise" if differs else ""
+        self.foreseen.setText(f"Foreseen: {told}, because {WHY[told]}{other}." if told else "")
+        self.foreseen.setVisible(bool(told))
+        self.finding.setVisible(differs)
 
     def say(self, words: str) -> None:
         """Say what is being done with the chosen run; empty says nothing."""

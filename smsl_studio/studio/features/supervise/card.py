@@ -84,6 +84,8 @@ class CardButton(QAbstractButton):
         super().__init__(parent)
         self.card, self._tokens = card, tokens
         self._chosen = False
+        self.prefix = ""
+        """What the names of all operations of the SB begin with."""
         self._forecast: CardForecast | None = None
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setAttribute(Qt.WidgetAttribute.WA_Hover)
@@ -225,7 +227,8 @@ class CardButton(QAbstractButton):
         font.setStrikeOut(self.card.standing == PRUNED)
         quiet = self.card.standing in (PRUNED, REFUSED, VETOED)
         kind = Type(font)
-        shown = kind.elided(self.card.name, room)
+        # As on the canvas: what all operations share is left out. The tip has the whole name.
+        shown = kind.elided(self.card.name.removeprefix(self.prefix), room)
         kind.draw_from(painter, left, middle, shown, t.tx2 if quiet else t.tx)
 
     def _second_line(self, painter: QPainter, box: QRectF) -> None:

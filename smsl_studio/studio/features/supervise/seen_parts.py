@@ -24,6 +24,8 @@ GRAPH_WIDTH = 424
 """The designed width of the partial view beside a scene (pixels)."""
 LARGE_ROOM = 1000
 """From this width of the place on, the large layout has the scene beside it (pixels)."""
+TEXT_HEIGHT = 198
+"""The designed height of the text (pixels)."""
 ROOM = 800, 380
 """From this width and height text and scene are shown by themselves, if the world has a picture
 (pixels)."""
@@ -142,9 +144,12 @@ class SeenParts(QWidget):
         if self.parentWidget() is not None:
             self.setVisible(bool(shown))
         if TEXT in changed and TEXT in shown:
-            self._left.setSizes([max(self.height() - LEAST, TALL + HIGH), LEAST])
+            text = min(max(self.height() * 3 // 10, LEAST), TEXT_HEIGHT)
+            self._left.setSizes([max(self.height() - text, TALL + HIGH), text])
         if SCENE in changed and SCENE in shown:
-            self._whole.setSizes([GRAPH_WIDTH, max(self.width() - GRAPH_WIDTH, 240)])
+            # On a wide screen names of operations get room, too.
+            graph = max(GRAPH_WIDTH, self.width() * 36 // 100)
+            self._whole.setSizes([graph, max(self.width() - graph, 240)])
         if changed:
             self.turned.emit()
 

@@ -167,6 +167,7 @@ class PartialSurface(QWidget):
                 made.show()
                 self.cards.append(made)
             button = self.cards[at]
+            button.prefix = self._picture.prefix if self._picture is not None else ""
             picked = card.address == chosen
             if button.card != card or button.property("picked") != picked:
                 button.setProperty("picked", picked)

@@ -386,8 +386,9 @@ class WorldView(QWidget):
         told = [*self._status]
         if not self.patient and len(self._frames) > 2 and perf_counter() - self._frames[-1] < 1:
             rate = (len(self._frames) - 1) / max(self._frames[-1] - self._frames[0], 1e-3)
-            told.append(f"{rate:.0f} frames/s")
-            inks.append(t.tx3)
+            if rate >= 1.5:
+                told.append(f"{rate:.0f} frames/s")
+                inks.append(t.tx3)
         # One that has no room is left out, so that none lies under the bar of a forecast.
         for words, box, ink in zip(told, plates(told), inks, strict=True):
             if box.right() <= self.width() - EDGE:
