@@ -24,7 +24,7 @@ WHY = {
 """Why an end is foreseen."""
 
 
-class Foresight:
+class CampaignForesight:
     """Foresees the runs of one campaign. Each operation is looked at once."""
 
     def __init__(self, blueprint: Blueprint, goals: tuple[str, ...] = ()) -> None:

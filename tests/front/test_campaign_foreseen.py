@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import smsl_studio as smsl
 from smsl_studio.blueprint.address import Address
-from smsl_studio.front.campaign_foreseen import Foresight, finding_of
+from smsl_studio.front.campaign_foreseen import CampaignForesight, finding_of
 from smsl_studio.front.campaign_runs import Injection, RunVerdict
 from smsl_studio.front.campaign_tally import CampaignTally
 from smsl_studio.shipped import samples_dir
@@ -14,18 +14,22 @@ EDGE = Address("SB1", "State_aa", "Op_1b")
 
 
 def test_another_way_is_foreseen_where_there_is_one() -> None:
-    told = Foresight(HANOI)
+    told = CampaignForesight(HANOI)
     assert told.look(str(EDGE)) == "reached", "the ring goes to the other peg first"
-    one_way = Foresight(HANOI, goals=("SB1/State_ba",))
+    one_way = CampaignForesight(HANOI, goals=("SB1/State_ba",))
     assert one_way.look(str(EDGE)) == "reached"
     assert told.look("SB1/State_nowhere/Op_1b") == "", "nothing can be foreseen of it"
     tower = smsl.read(samples_dir() / "femoroplasty.json")
-    ends = {Foresight(tower).look(str(edge.address)) for branch in tower for edge in branch.edges()}
+    ends = {
+        CampaignForesight(tower).look(str(edge.address))
+        for branch in tower
+        for edge in branch.edges()
+    }
     assert "held" in ends
 
 
 def test_a_cell_differs_when_most_of_its_runs_ended_otherwise() -> None:
-    tally, told = CampaignTally(), Foresight(HANOI)
+    tally, told = CampaignTally(), CampaignForesight(HANOI)
     tally.begin([Injection("slip", EDGE)], 3)
     (cell,) = tally.cells
     assert told.look(cell.edge) == "reached"

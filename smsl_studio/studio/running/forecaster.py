@@ -24,6 +24,8 @@ from smsl_studio.world.engines import TABLE
 
 QUIET = 150
 """Milliseconds without a change before a forecast begins."""
+PACE = 500
+"""Milliseconds between two looks at how far a forecast is."""
 AHEAD = 3
 """So many operations of the route are forecast, the one at hand included."""
 PARTS = 24
@@ -48,6 +50,8 @@ class ForecastView:
     found: Prediction | None = None
     then: tuple[tuple[Address, Prediction], ...] = ()
     frames: KeptPoses | None = None
+    so_far: float = 0.0
+    """How much of the operation was tried already, while it is looked for (simulated seconds)."""
 
 
 def proposed(status: DispatchStatus | None) -> Address | None:
@@ -85,6 +89,10 @@ class Forecaster(QObject):
         self._quiet.setSingleShot(True)
         self._quiet.setInterval(QUIET)
         self._quiet.timeout.connect(self._look)
+        self._looked = KeptPoses(EVERY)
+        self._pace = QTimer(self)
+        self._pace.setInterval(PACE)
+        self._pace.timeout.connect(self._tell_pace)
 
     def hear(self, events: tuple[Event, ...]) -> None:
         """Keep what a run tells of its own forecasts, until another run begins."""
@@ -141,8 +149,17 @@ class Forecaster(QObject):
         self._leave()
         self._beside.stop()
 
+    def _tell_pace(self) -> None:
+        """Tell how far the forecast is that is looked for."""
+        if self.view is None or self.view.found is not None:
+            self._pace.stop()
+        elif self._looked.seconds > self.view.so_far:
+            self.view = replace(self.view, so_far=self._looked.seconds)
+            self.changed.emit()
+
     def _leave(self) -> None:
         self._quiet.stop()
+        self._pace.stop()
         self._beside.drop()
         twin, self._twin = self._twin, None
         if twin is not None:
@@ -153,7 +170,8 @@ class Forecaster(QObject):
         twin, wanted = self._twin, self._wanted
         if twin is not None and wanted is not None:
             self._left = [*self._route]
-            frames = KeptPoses(EVERY)
+            frames = self._looked = KeptPoses(EVERY)
+            self._pace.start()
             self._beside.do(lambda: twin.predict(*wanted, frames.add), partial(self._take, frames))
 
     def _take(self, frames: KeptPoses, found: Prediction) -> None:

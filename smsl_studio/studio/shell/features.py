@@ -88,7 +88,7 @@ class Features(QObject):
         self.help = HelpFeature(parts, shell, lambda: self.draw.findings.chosen_rule)
         self.settings = SettingsFeature(parts, shell)
         self.tour = TourFeature(parts, shell, self.help.show_first)
-        self.run = RunFeature(parts, shell, windows.spare)
+        self.run = RunFeature(parts, shell, windows.spare, windows.persons)
         self.monitor = MonitorFeature(self._run_in_front, parts.tokens, shell, self._room_page)
         self.room = RoomFeature(lambda: self.run.pane.run, parts.tokens)
         self.room.disturb = self.monitor.show_sensors
@@ -114,8 +114,6 @@ class Features(QObject):
         self.run.part.when_made(self._introduce)
         self.replay.part.when_made(self._introduce_replay)
         windows.persons.changed.connect(self.supervise.refresh)
-        windows.persons.changed.connect(self.run.refresh_caution)
-        self.run.roles = lambda: tuple(one.role for one in windows.persons.all)
         self.draw.source.caret_moved.connect(self.caret_moved)
 
     def __iter__(self) -> Iterator[Feature]:

@@ -25,7 +25,7 @@ from PySide6.QtWidgets import (
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.model import Blueprint
-from smsl_studio.front.campaign_foreseen import Foresight
+from smsl_studio.front.campaign_foreseen import CampaignForesight
 from smsl_studio.front.campaign_tally import CampaignCell, CampaignShare, CampaignTally, share_of
 from smsl_studio.front.views.states import short_name
 from smsl_studio.legible import plain_text
@@ -64,7 +64,7 @@ class AtlasModel(QAbstractTableModel):
     def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)
         self.tally = CampaignTally()
-        self.foresight: Foresight | None = None
+        self.foresight: CampaignForesight | None = None
         self._names: dict[str, tuple[str, str]] = {}
 
     @property
@@ -339,7 +339,7 @@ class AtlasTable(QTableView):
         if again or self.horizontalHeader().sectionSize(0) < NAME // 2:
             self._fit()
 
-    def show_foresight(self, foresight: Foresight | None, only: bool) -> None:
+    def show_foresight(self, foresight: CampaignForesight | None, only: bool) -> None:
         """Show what was foreseen, and with ``only`` the cells that ended otherwise alone."""
         atlas = self.atlas
         atlas.foresight, self._cells.only = foresight, only

@@ -13,7 +13,7 @@ from PySide6.QtWidgets import (
 )
 
 from smsl_studio.blueprint.model import Blueprint
-from smsl_studio.front.campaign_foreseen import Foresight
+from smsl_studio.front.campaign_foreseen import CampaignForesight
 from smsl_studio.studio.base.controls import Elided, label, row, rule
 from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.base.tips import tip_text
@@ -58,7 +58,7 @@ class CampaignPage(QWidget):
         self.differ.setCheckable(True)
         self.differ.setProperty("role", "switch")
         self.differ.toggled.connect(lambda _: self._show_foresight())
-        self._foresight: Foresight | None = None
+        self._foresight: CampaignForesight | None = None
         self._foreseen_for: object = None
         self._looking = QTimer(self, interval=0)
         self._looking.timeout.connect(self._look)
@@ -155,7 +155,7 @@ class CampaignPage(QWidget):
             self._foreseen_for = request
             self._foresight = None
             if request is not None:
-                self._foresight = Foresight(request.blueprint, request.goals)
+                self._foresight = CampaignForesight(request.blueprint, request.goals)
         waits = self._foresight is not None and any(
             edge not in self._foresight.known for edge in tally.edges
         )

@@ -20,6 +20,7 @@ from smsl_studio.studio.document.files.dialogs import Dialogs
 from smsl_studio.studio.features.run.actions import run_actions
 from smsl_studio.studio.features.run.page_rows import PageRows
 from smsl_studio.studio.features.run.run_pages import HOME, RunPages
+from smsl_studio.studio.running.persons import Persons
 from smsl_studio.studio.running.run_actions import RunActions
 from smsl_studio.studio.running.window_parts import WindowParts
 
@@ -46,8 +47,11 @@ class RunFeature(Feature):
     there is no run.
     """
 
-    def __init__(self, parts: WindowParts, shell: Shell, spare: Spare | None) -> None:
+    def __init__(
+        self, parts: WindowParts, shell: Shell, spare: Spare | None, persons: Persons
+    ) -> None:
         self._parts, self._shell, self._spare = parts, shell, spare
+        self._persons = persons
         self._tokens = parts.tokens
         self._loaded: Loaded | None = None
         self.asked: RunActions = self
@@ -61,8 +65,6 @@ class RunFeature(Feature):
         self.pages = {"run": self._page}
         self.body: RunPages | None = None
         """The pages of the mode, after it was shown for the first time."""
-        self.roles: Callable[[], tuple[str, ...]] = tuple
-        """Returns the roles of the people who work at the window, one for each."""
         self._cautious: tuple[object, tuple[str, ...]] = (None, ())
         self.further: dict[str, Callable[[], QWidget]] = {}
         """What makes further pages, by the name on the tab."""
@@ -119,6 +121,8 @@ class RunFeature(Feature):
         pane.scene.picture_wanted.connect(self._save_picture)
         pane.scene.clip_wanted.connect(self._save_clip)
         pane.run.caution = pane.canvas.caution = self._caution
+        # The persons outlive the window, so that a method is connected that ends with it.
+        self._persons.changed.connect(pane.canvas.refresh)
         for changed in (
             pane.levels.changed,
             pane.transport.world.currentIndexChanged,
@@ -138,11 +142,6 @@ class RunFeature(Feature):
             pane.set_plugins(self._loaded)
         return pane
 
-    def refresh_caution(self) -> None:
-        """Tell anew what the next run cannot give."""
-        if self.part.made is not None:
-            self.pane.canvas.refresh()
-
     def _caution(self) -> tuple[str, ...]:
         """Return what the next run cannot give although its levels ask for it."""
         from smsl_studio.front.twin import may_be_tried
@@ -155,7 +154,8 @@ class RunFeature(Feature):
         if wanted is None:
             return ()
         blueprint, world, _, loaded, _ = wanted
-        roles, forecast = self.roles(), pane.next.supervisors.forecast
+        roles = tuple(one.role for one in self._persons.all)
+        forecast = pane.next.supervisors.forecast
         means = RunMeans(world, may_be_tried(world, loaded), roles, forecast)
         asked = id(blueprint), means, tuple(pane.levels.set.items())
         if asked != self._cautious[0]:

@@ -124,7 +124,8 @@ def _words(blueprint: Blueprint, view: ForecastView, old: bool) -> tuple[str, st
     found = view.found
     name = operation_name(blueprint, view.edge)
     if found is None:
-        return "clock", f"Forecast of {name}: looking"
+        far = f", {view.so_far:.1f} s so far" if view.so_far else ""
+        return "clock", f"Forecast of {name}: looking{far}"
     if old:
         return "unknown", f"Forecast of {name}: out of date, facts have changed since"
     if found.verdict == NONE:

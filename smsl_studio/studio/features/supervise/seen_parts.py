@@ -24,8 +24,9 @@ GRAPH_WIDTH = 424
 """The designed width of the partial view beside a scene (pixels)."""
 LARGE_ROOM = 1000
 """From this width of the place on, the large layout has the scene beside it (pixels)."""
-TEXT_HEIGHT = 198
-"""The designed height of the text (pixels)."""
+TEXT_HEIGHT, LOW = 198, 430
+"""The designed height of the text, and the height from which on it gets more than its least
+(pixels)."""
 ROOM = 800, 380
 """From this width and height text and scene are shown by themselves, if the world has a picture
 (pixels)."""
@@ -144,7 +145,8 @@ class SeenParts(QWidget):
         if self.parentWidget() is not None:
             self.setVisible(bool(shown))
         if TEXT in changed and TEXT in shown:
-            text = min(max(self.height() * 3 // 10, LEAST), TEXT_HEIGHT)
+            # In a low page the board keeps the height in which states stand above each other.
+            text = min(LEAST + max(self.height() - LOW, 0) * 2 // 5, TEXT_HEIGHT)
             self._left.setSizes([max(self.height() - text, TALL + HIGH), text])
         if SCENE in changed and SCENE in shown:
             # On a wide screen names of operations get room, too.
