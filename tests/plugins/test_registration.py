@@ -30,16 +30,17 @@ def test_the_default_route_plans_touches_and_fits(file: str, seed: int) -> None:
     assert not [name for name in story.started if name.startswith(("Op_UsePrev", "UsePrev"))]
 
 
-@pytest.mark.parametrize("file", [FLAT, SUBBED])
-def test_edges_pass_alone(file: str) -> None:
-    """Each fourth edge; the bench ``worlds`` tries all. Those that use a saved registration find
-    one, whose reference has not moved."""
+@pytest.mark.parametrize(("file", "each"), [(FLAT, 4), (SUBBED, 1)])
+def test_edges_pass_alone(file: str, each: int) -> None:
+    """Each fourth edge of the flat file; the bench ``worlds`` tries all. Those that use a saved
+    registration find one, whose reference has not moved. Of the other file all are tried, because
+    an edge of it may need others to bring its sub where it begins."""
     whole = smsl.read(samples_dir() / file)
-    every = [edge.address for branch in whole for edge in branch.edges()]
-    others = [edge for at, edge in enumerate(every) if at % 4]
+    every = [edge.address for edge in whole["REGISTRATION"].edges()]
+    others = [edge for at, edge in enumerate(every) if at % each]
     swept = sweep(editing.delete(whole, others), "registration")
     edges = [one for one in swept if isinstance(one, EdgeSwept)]
-    assert len(edges) == len(every) - len(others)
+    assert len(edges) >= len(every) // each
     assert [one.address for one in edges if not one.passed] == []
 
 

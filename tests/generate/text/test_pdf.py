@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import zlib
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
@@ -56,15 +57,17 @@ def test_a_citation_of_a_pdf_has_its_page(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     "raw",
     [
-        b"%PDF-1.4\nno",
-        b"",
-        pdf([zlib.compress(b"0" * 200_000_000, 9)]),
-        pdf([page("a")]).replace(b"/Kids [3 0 R]", b"/Kids [2 0 R]"),
+        lambda: b"%PDF-1.4\nno",
+        lambda: b"",
+        lambda: pdf([zlib.compress(b"0" * 200_000_000, 9)]),
+        lambda: pdf([page("a")]).replace(b"/Kids [3 0 R]", b"/Kids [2 0 R]"),
     ],
     ids=["broken", "empty", "bomb", "circle"],
 )
-def test_a_pdf_that_cannot_be_read_is_one_sentence(raw: bytes, tmp_path: Path) -> None:
+def test_a_pdf_that_cannot_be_read_is_one_sentence(
+    raw: Callable[[], bytes], tmp_path: Path
+) -> None:
     file = tmp_path / "bad.pdf"
-    file.write_bytes(raw)
+    file.write_bytes(raw())
     with pytest.raises(ReadError, match=r"bad\.pdf:1:1: the (PDF cannot be read|text is empty)"):
         text_at(file)
