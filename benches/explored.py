@@ -42,7 +42,7 @@ def _row(world: str, drawn: Blueprint, name: str, kept: Path) -> Row:
     began = time.process_time()
     found = generate_explore(drawn, world, part=kept / f"{name}.part")
     spent = time.process_time() - began
-    told = against(found.generated.blueprint, drawn)
+    told = against(found.generated.blueprint, drawn, found.idle)
     edges = drawn.operation_count
     words = (
         f"explore {name}: {edges - len(told.missing)} of {edges} operations, "

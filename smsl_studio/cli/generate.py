@@ -164,7 +164,7 @@ def _explore(options: argparse.Namespace, out: Output) -> int:
     for address, worked in found.rates.items():
         note(one_line(f"{address}: worked in {worked} of {repeats}"))
     if other is not None:
-        return _compared(options, out, against(made.blueprint, other))
+        return _compared(options, out, against(made.blueprint, other, found.idle))
     _tell(options, out, made)
     if not made.goal_reached:
         note("the ACTIVATING state of the start was not reached; ACTIVATING is left out")

@@ -92,11 +92,13 @@ class TriedState:
 
     ``rates`` has for each operation that works sometimes how often it worked, and ``lost`` the
     facts after attempts that failed, where a fact has a value that no state of the start has.
+    ``idle`` are operations that returned and changed no fact.
     """
 
     row: dict[str, Values] = field(default_factory=dict)
     rates: dict[str, int] = field(default_factory=dict)
     lost: dict[Values, None] = field(default_factory=dict)
+    idle: list[str] = field(default_factory=list)
 
 
 class Attempts:
@@ -123,7 +125,7 @@ class Attempts:
         """Return whether what was kept has only operations and values that there are."""
         names = set(self._names)
         return (
-            {*tried.row, *tried.rates} <= names
+            {*tried.row, *tried.rates, *tried.idle} <= names
             and all(map(self._is_known, tried.row.values()))
             and all(0 < worked < self._repeats for worked in tried.rates.values())
             and all(len(values) == len(self._alphabet) for values in tried.lost)
@@ -144,7 +146,8 @@ class Attempts:
 
     def _is_open(self, ends: Sequence[Attempt], source: Values) -> bool:
         """Return whether a further attempt may change what is known of an operation."""
-        alike = all(self._leads(end, source) and end == ends[0] for end in ends)
+        alike = all(end.returned and self._is_known(end.values or ()) for end in ends)
+        alike = alike and all(end == ends[0] for end in ends)
         return self._rates or alike
 
     def _try_all(
@@ -171,6 +174,8 @@ class Attempts:
 
     def _judge(self, found: TriedState, name: str, values: Values, ends: Sequence[Attempt]) -> None:
         """Add what the attempts with one operation have shown."""
+        if all(end == Attempt(values, True) for end in ends):
+            found.idle.append(name)
         worked = Counter(end.values for end in ends if self._leads(end, values))
         if not worked:
             return

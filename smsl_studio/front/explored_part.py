@@ -79,26 +79,30 @@ class ExploredPart:
 
 def tried_line(values: Values, tried: TriedState) -> dict[str, Json]:
     """Return what was tried in a state as JSON."""
-    line: dict[str, Json] = {"state": values, "row": tried.row}
+    line: dict[str, Json] = {"state": values}
     if tried.rates:
         line |= {"rates": tried.rates, "lost": list(tried.lost)}
-    return line
+    if tried.idle:
+        line["idle"] = tried.idle
+    return {**line, "row": tried.row}
 
 
 def tried_of_line(line: dict[str, Json]) -> tuple[Values, TriedState] | None:
     """Return the values of a state and what was tried there, None if the line is nonsense."""
     values, row = line.get("state"), line.get("row")
-    rates, lost = line.get("rates", {}), line.get("lost", [])
+    rates, lost, idle = line.get("rates", {}), line.get("lost", []), line.get("idle", [])
     if not (_texts(values) and isinstance(row, dict) and all(map(_texts, row.values()))):
         return None
     if not (isinstance(lost, list) and all(map(_texts, lost)) and isinstance(rates, dict)):
+        return None
+    if not _texts(idle):
         return None
     if any(len(one) != len(values) for one in (*row.values(), *lost)):
         return None
     if any(name not in row or type(worked) is not int for name, worked in rates.items()):
         return None
     own = {name: tuple(target) for name, target in row.items()}
-    return tuple(values), TriedState(own, rates, dict.fromkeys(map(tuple, lost)))
+    return tuple(values), TriedState(own, rates, dict.fromkeys(map(tuple, lost)), idle)
 
 
 def exploration_head(request: RunRequest, names: Sequence[str], repeats: int, rates: bool) -> str:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -34,6 +34,8 @@ class Explored:
     bound: bool
     rates: Mapping[str, int] = field(default_factory=dict)
     """How often each operation worked, by its address, of those that work sometimes."""
+    idle: Collection[tuple[Values, str]] = ()
+    """States and operations that returned there and changed no fact."""
 
 
 @dataclass
@@ -47,6 +49,8 @@ class ExploredRows:
     """How often operations worked that work sometimes."""
     lost: dict[Values, None] = field(default_factory=dict)
     """Facts after attempts that failed."""
+    idle: set[tuple[Values, str]] = field(default_factory=set)
+    """Operations that returned and changed no fact."""
 
     def add(self, values: Values, tried: TriedState, limit: int) -> list[Values]:
         """Add what was tried in a state. Return the states that are new."""
@@ -54,6 +58,7 @@ class ExploredRows:
         own = self.rows.setdefault(values, {})
         self.rates |= {(values, name): worked for name, worked in tried.rates.items()}
         self.lost |= tried.lost
+        self.idle |= {(values, name) for name in tried.idle}
         for name, target in tried.row.items():
             if target not in self.rows:
                 if len(self.rows) >= limit:
@@ -125,7 +130,7 @@ def generate_explore(
     named = {ours.facts(state): state for state in ours.table}
     told = {str(Address(ours.name, named[values], operation)): worked
             for (values, operation), worked in found.rates.items()}  # fmt: skip
-    return Explored(made, found.bound, told)
+    return Explored(made, found.bound, told, found.idle)
 
 
 def start_of_values(text: str, world: str, plugin_paths: Sequence[Path] = ()) -> Blueprint:
@@ -266,14 +271,25 @@ class PhysicsDifference:
     false: tuple[str, ...]
 
 
-def against(explored: Blueprint, other: Blueprint) -> PhysicsDifference:
-    """Compare the edges of two blueprints of one State Branch, by facts and operation names."""
+def against(
+    explored: Blueprint, other: Blueprint, idle: Collection[tuple[Values, str]] = ()
+) -> PhysicsDifference:
+    """Compare the edges of two blueprints of one State Branch, by facts and operation names.
+
+    An edge that leads back to the same facts is not missing if the exploration has found that its
+    operation is ``idle`` there: it returned and changed no fact.
+    """
     if len(other) != 1:
         raise PlanningError(f"edges are compared with one State Branch, not {len(other)}")
     ours, theirs = _edges(explored), _edges(other)
     return PhysicsDifference(
         len(ours),
-        tuple(address for key, address in theirs.items() if key not in ours),
+        tuple(
+            address
+            for (source, operation, target), address in theirs.items()
+            if (source, operation, target) not in ours
+            and not (source == target and (source, operation) in idle)
+        ),
         tuple(address for key, address in ours.items() if key not in theirs),
     )
 

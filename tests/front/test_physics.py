@@ -112,6 +112,17 @@ def test_the_difference_names_what_is_missing_and_what_is_false(paths: tuple[Pat
     assert difference.false == ("BOARD/State_01/Op_11",)
 
 
+def test_an_operation_that_changes_no_fact_is_not_missing_where_it_returns(
+    paths: tuple[Path, ...],
+) -> None:
+    values = {**BOARD["BOARD"], "State_00": {"Op_idle": "State_00", "Op_break": "State_00"}}
+    board = blueprint_of({"BOARD": values})
+    told = generate_explore(board, "switches", plugin_paths=paths)
+    difference = against(told.generated.blueprint, board, told.idle)
+    assert difference.missing == ("BOARD/State_00/Op_break",)
+    assert (("0", "0"), "Op_idle") in told.idle
+
+
 def test_the_limit_keeps_what_was_reached(paths: tuple[Path, ...]) -> None:
     told = generate_explore(blueprint_of(BOARD), "switches", plugin_paths=paths, limit=2)
     assert told.bound

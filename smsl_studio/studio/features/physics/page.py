@@ -140,7 +140,7 @@ class PhysicsPage(QWidget):
         same = self.canvas.sheet is not None
         self.canvas.show_branch(made.blueprint, branch.name, keep_view=same)
         self.canvas.show_all()
-        self._show_differences(against(made.blueprint, request.start))
+        self._show_differences(against(made.blueprint, request.start, work.found.idle))
 
     def _sum_words(self, made: Generated) -> str:
         work = self._work
