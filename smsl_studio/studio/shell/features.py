@@ -23,6 +23,7 @@ from smsl_studio.studio.features.merge.feature import MergeFeature
 from smsl_studio.studio.features.monitor.feature import MonitorFeature
 from smsl_studio.studio.features.people.feature import PeopleFeature
 from smsl_studio.studio.features.physics.feature import PhysicsFeature
+from smsl_studio.studio.features.planning.feature import PlanningFeature
 from smsl_studio.studio.features.replay.feature import ReplayFeature
 from smsl_studio.studio.features.replay.watched import Watched
 from smsl_studio.studio.features.review.feature import ReviewFeature
@@ -84,6 +85,7 @@ class Features(QObject):
         self.merge = MergeFeature(parts, shell)
         self.rules = RulesFeature(parts, shell)
         self.physics = PhysicsFeature(parts, shell, BY_RULES)
+        self.planning = PlanningFeature(parts, shell, BY_RULES)
         self.start = StartFeature(parts, shell)
         self.help = HelpFeature(parts, shell, lambda: self.draw.findings.chosen_rule)
         self.settings = SettingsFeature(parts, shell)
@@ -118,7 +120,7 @@ class Features(QObject):
 
     def __iter__(self) -> Iterator[Feature]:
         yield from (self.draw, self.inspection, self.approval, self.merge, self.branch_map)
-        yield from (self.rules, self.physics)
+        yield from (self.rules, self.planning, self.physics)
         yield from (self.start,)
         yield from (self.exchange, self.export, self.run, self.supervise, self.review)
         yield from (self.people, self.monitor, self.room, self.campaign)
@@ -275,7 +277,7 @@ class Features(QObject):
         self.end_run()
         for feature in (
             self.replay, self.export, self.exchange, self.approval, self.review, self.merge,
-            self.rules, self.physics, self.campaign,
+            self.rules, self.planning, self.physics, self.campaign,
             self.inspection, self.draw, self.start,
         ):  # fmt: skip
             feature.stop()

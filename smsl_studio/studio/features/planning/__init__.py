@@ -1,0 +1,1 @@
+"""A drawing from a planning problem in PDDL."""
