@@ -90,6 +90,8 @@ class _ReversalRepair:
             guessed = {way} if way else self._reversals.guessed(edge)
             for name in [way] if way else self._ways(table, edge):
                 doubt = 0.0 if name in guessed else _DOUBT
+                if not self._is_usual(Example(name, edge.target, edge.source)):
+                    doubt += _DOUBT
                 options[_Repair(name, edge.target, edge.source)] = doubt
             options[_Repair(edge.operation, edge.source, None)] = _MARGIN
         found = []
@@ -105,6 +107,14 @@ class _ReversalRepair:
             equal.sort(key=lambda one: self._cost(one[2], one[3], table) + one[1])
         after = equal[0][3]
         return after, self._mismatches(after)
+
+    def _is_usual(self, edge: Example) -> bool:
+        """Return whether another edge of its operation changes a fact from and to the same values.
+        An operation with fewer edges than two tells nothing."""
+        own = self._table.edges.get(edge.operation, {})
+        changed = _changes(edge.source, edge.target)
+        others = [(source, target) for source, target in own.items() if source != edge.source]
+        return len(others) < _FEWEST or any(changed & _changes(*one) for one in others)
 
     def _cost(self, repair: _Repair, after: ExampleTable, before: ExampleTable) -> float:
         """Return how much longer the rule of an operation is after a repair."""
@@ -184,3 +194,9 @@ class _ReversalRepair:
             if gain > _GAIN:
                 table = after
         return table
+
+
+def _changes(source: Values, target: Values) -> set[tuple[int, str, str]]:
+    """Return each fact that changes, with its value before and after."""
+    pairs = zip(source, target, strict=True)
+    return {(digit, old, new) for digit, (old, new) in enumerate(pairs) if old != new}

@@ -83,9 +83,11 @@ class Features(QObject):
         self.approval.compare = self.draw.comparing.with_signed
         self.approval.store.told = self.draw.library.set_stored
         self.merge = MergeFeature(parts, shell)
-        self.rules = RulesFeature(parts, shell)
-        self.physics = PhysicsFeature(parts, shell, BY_RULES)
-        self.planning = PlanningFeature(parts, shell, BY_RULES)
+        self.rules, self.planning, self.physics = (
+            RulesFeature(parts, shell),
+            PlanningFeature(parts, shell, BY_RULES),
+            PhysicsFeature(parts, shell, BY_RULES),
+        )
         self.start = StartFeature(parts, shell)
         self.help = HelpFeature(parts, shell, lambda: self.draw.findings.chosen_rule)
         self.settings = SettingsFeature(parts, shell)

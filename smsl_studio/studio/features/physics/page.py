@@ -3,8 +3,7 @@ the drawing."""
 
 from __future__ import annotations
 
-from PySide6.QtCore import Qt, QTimer, Signal, SignalInstance
-from PySide6.QtGui import QResizeEvent
+from PySide6.QtCore import Qt, Signal, SignalInstance
 from PySide6.QtWidgets import QComboBox, QPushButton, QSpinBox, QVBoxLayout, QWidget
 
 from smsl_studio.blueprint.address import Address
@@ -89,15 +88,6 @@ class PhysicsPage(QWidget):
         outer.setContentsMargins(0, 0, 0, 0)
         outer.addWidget(split(Qt.Orientation.Horizontal, (middle, side), (900, 380), (3, 1)))
 
-    def resizeEvent(self, event: QResizeEvent) -> None:
-        """Show the whole graph at the new size."""
-        super().resizeEvent(event)
-        QTimer.singleShot(0, self, self._show_all)
-
-    def _show_all(self) -> None:
-        if self.canvas.sheet is not None:
-            self.canvas.show_all()
-
     def set_tokens(self, tokens: Tokens) -> None:
         """Use the colours of another theme."""
         for part in (self.canvas, self.list):
@@ -139,7 +129,7 @@ class PhysicsPage(QWidget):
         (branch,) = made.blueprint
         same = self.canvas.sheet is not None
         self.canvas.show_branch(made.blueprint, branch.name, keep_view=same)
-        self.canvas.show_all()
+        self.canvas.fit(smooth=False)
         self._show_differences(against(made.blueprint, request.start, work.found.idle))
 
     def _sum_words(self, made: Generated) -> str:
