@@ -7,13 +7,13 @@ from PySide6.QtCore import Qt, Signal, SignalInstance
 from PySide6.QtWidgets import QComboBox, QPushButton, QSpinBox, QVBoxLayout, QWidget
 
 from smsl_studio.blueprint.address import Address
+from smsl_studio.blueprint.comparison.signs import ADDED
 from smsl_studio.front.generated import Generated
 from smsl_studio.front.physics import PhysicsDifference, against, explored_blueprint
 from smsl_studio.picture.marks import Marks
 from smsl_studio.studio.base.canvas.canvas import Canvas
 from smsl_studio.studio.base.canvas.shared_collapse import SharedCollapse
 from smsl_studio.studio.base.controls import Elided, label
-from smsl_studio.studio.base.paint.change_signs import ODD
 from smsl_studio.studio.base.panels import empty_panel
 from smsl_studio.studio.base.rows import ListRow, RowsView
 from smsl_studio.studio.base.theme import Tokens
@@ -155,8 +155,8 @@ class PhysicsPage(QWidget):
                  for one in missing]  # fmt: skip
         self.list.show_rows(rows[:MOST])
         self.count.setText(f"{len(difference.false)} false, {len(missing)} missing")
-        odd = {Address(*one.split("/")): ODD for one in difference.false}
-        self.canvas.set_marks(Marks(changes=odd))
+        new = {Address(*one.split("/")): ADDED for one in difference.false}
+        self.canvas.set_marks(Marks(changes=new))
         if rows:
             self.why.setText(f"{counted(difference.edges, 'operation')} found.")
         elif self._work.phase == DONE:
