@@ -107,6 +107,11 @@ def test_the_operation_that_waits_below_the_others_is_scrolled_into_view(
     at.person.qtbot.waitUntil(is_seen)
     board.verticalScrollBar().setValue(0)
     at.person.qtbot.waitUntil(lambda: not is_seen())
+    at.press(Key.Key_9)
+    board.verticalScrollBar().setValue(0)
+    at.press(Key.Key_Escape, Key.Key_9)
+    ninth = board.cards[8]
+    at.person.qtbot.waitUntil(lambda: not ninth.visibleRegion().isEmpty())
 
 
 def test_the_active_state_is_lit_in_the_text_while_a_run_exists(sit: Sit) -> None:

@@ -32,6 +32,7 @@ class Board(QScrollArea):
         super().__init__(parent)
         self._inner = PartialSurface(tokens)
         self._at_hand: Address | None = None
+        self._chosen: Address | None = None
         self._inner.card_chosen.connect(self.card_chosen)
         self._inner.state_chosen.connect(self.state_chosen)
         self._inner.seen_wanted.connect(self._see)
@@ -97,6 +98,10 @@ class Board(QScrollArea):
             self._at_hand = at_hand
             # The board has the height of its new cards a moment later.
             QTimer.singleShot(0, self, self._see_hand)
+        if chosen != self._chosen:
+            self._chosen = chosen
+            # It may have been chosen by its number or in the text.
+            QTimer.singleShot(0, self, self._see_chosen)
 
     def show_selected(self, states: frozenset[str]) -> None:
         """Ring these of the states to which the operations lead."""
@@ -127,6 +132,12 @@ class Board(QScrollArea):
         hand = self._hand()
         if hand is not None:
             self._see(hand)
+
+    def _see_chosen(self) -> None:
+        """Scroll to the operation that was chosen, once."""
+        for one in self.cards:
+            if one.card.address == self._chosen:
+                self._see(one)
 
     def _see(self, card: QWidget) -> None:
         self.ensureWidgetVisible(card, 0, 12)

@@ -68,6 +68,8 @@ class LargeRun:
     phase: str
     over: bool = False
     sentence: str = ""
+    asked: str = ""
+    """The question of a decision that waits for Enter; empty for none."""
 
 
 def large_words(
@@ -81,7 +83,7 @@ def large_words(
     words, kind = phase_words(phase, over)
     if blueprint is None or status is None or view is None:
         return LargeWords(words, kind, capital(run.sentence) if over else "" if phase else FIRST)
-    question = status.tasks[0].question if status.tasks else ""
+    question = run.asked or (status.tasks[0].question if status.tasks else "")
     if over:
         question = capital(run.sentence)
     elif not question and phase in ("fault_hold", "no_route", "stopped", "held", "failed"):

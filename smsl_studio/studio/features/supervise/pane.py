@@ -350,7 +350,9 @@ class SupervisePane(QWidget):
         self.board.show_forecast(told)
         if self.is_large:
             self.forecast.hide()
-            here = LargeRun(run.blueprint, status, run.phase, run.over, run.sentence)
+            asking = self.step_in.asking
+            asked = asking.words if asking.isVisible() else ""
+            here = LargeRun(run.blueprint, status, run.phase, run.over, run.sentence, asked)
             self.large.show_words(large_words(here, self._view, self.subject, told))
         self.text.show_state(run.blueprint, self._view, self.subject, at_work)
 

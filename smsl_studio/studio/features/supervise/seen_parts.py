@@ -20,8 +20,8 @@ from smsl_studio.studio.running.world_pane import WorldPane
 
 GRAPH, TEXT, SCENE = "Partial view", "Text", "Scene"
 NAMES = (GRAPH, TEXT, SCENE)
-GRAPH_WIDTH = 424
-"""The designed width of the partial view beside a scene (pixels)."""
+GRAPH_WIDTH = 436
+"""The width of the partial view beside a scene: as designed, and a scroll bar (pixels)."""
 LARGE_ROOM = 1000
 """From this width of the place on, the large layout has the scene beside it (pixels)."""
 TEXT_HEIGHT, LOW = 198, 430

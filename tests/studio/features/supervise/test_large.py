@@ -45,6 +45,8 @@ def test_it_says_where_the_run_stands_and_what_comes_next() -> None:
     ended = LargeRun(SAMPLE, HERE, "held", over=True, sentence="it ended")
     over = large_words(ended, VIEW, EDGE, told)
     assert (over.question, over.ahead) == ("It ended.", "")
+    asked = replace(run, asked="Veto Op_2c once?")
+    assert large_words(asked, VIEW, EDGE, None).question == "Veto Op_2c once?"
     assert "F5" in large_words(LargeRun(None, None, ""), None, None, None).question
 
 
