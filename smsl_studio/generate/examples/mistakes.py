@@ -167,7 +167,13 @@ class _ReversalRepair:
         return found
 
     def _without_odd(self, table: ExampleTable) -> ExampleTable:
-        """Leave out edges that undo nothing as expected, if their rules are shorter then."""
+        """Leave out edges that undo nothing as expected, if their rules are shorter then.
+
+        A single edge that changes nothing, where all others change something, is odd by itself.
+        """
+        still = [edge for edge in table.all_edges() if edge.source == edge.target]
+        if len(still) == 1:
+            table = table.with_edge(still[0].operation, still[0].source, None)
         back, reversals = backward(table), Reversals(table)
         odd = []
         for edge in table.all_edges():
