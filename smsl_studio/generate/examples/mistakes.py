@@ -171,9 +171,9 @@ class _ReversalRepair:
 
         A single edge that changes nothing, where all others change something, is odd by itself.
         """
-        still = [edge for edge in table.all_edges() if edge.source == edge.target]
-        if len(still) == 1:
-            table = table.with_edge(still[0].operation, still[0].source, None)
+        unchanging = [edge for edge in table.all_edges() if edge.source == edge.target]
+        if len(unchanging) == 1:
+            table = table.with_edge(unchanging[0].operation, unchanging[0].source, None)
         back, reversals = backward(table), Reversals(table)
         odd = []
         for edge in table.all_edges():
