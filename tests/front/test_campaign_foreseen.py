@@ -40,6 +40,9 @@ def test_a_cell_differs_when_most_of_its_runs_ended_otherwise() -> None:
     tally.hear(0, 1, held)
     tally.hear(0, 2, reached)
     assert told.differs(cell)
+    for seed in range(3):
+        cell.verdicts[seed] = RunVerdict(False, False, "refused", "0" * 64)
+    assert not told.differs(cell), "no run began"
     words = finding_of(cell, "reached", "hanoi")
     assert words.startswith("Campaign in the world hanoi: slip in Op_1b. Foreseen: reached")
     assert words.endswith("Seen: 1 reached, 2 held of 3 runs.")

@@ -135,11 +135,12 @@ def test_a_report_is_saved_from_the_window(
     dialog.seeds.setText("2")
     person.click(dialog.begin)
     over(person)
-    for name, part in (("out.html", "<h1>Campaign of"), ("out.json", '"digest"')):
+    saved = (("out.html", b"<h1>Campaign of"), ("out.json", b'"digest"'), ("out.parquet", b"PAR1"))
+    for name, part in saved:
         place = tmp_path / name
         monkeypatch.setattr(feature, "ask_to_save", lambda *_, place=place: (str(place), ""))
         person.click(person.window.features.campaign.row().export)
-        assert part in place.read_text("utf-8")
+        assert part in place.read_bytes()
 
 
 def test_pause_keeps_what_is_done_and_resume_goes_on(person: Person, heard: Heard) -> None:

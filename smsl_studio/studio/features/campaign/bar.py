@@ -36,7 +36,9 @@ class CampaignBar(QWidget):
         self.words, self.phase = Elided(), PhaseBadge()
         self.new, self.export = QPushButton("New campaign…"), QPushButton("Export…")
         self.new.setToolTip(tip_text("Choose world, faults, seeds and who carries them out"))
-        self.export.setToolTip(tip_text("Save a report as a page, or the results as JSON"))
+        self.export.setToolTip(
+            tip_text("Save a report as a page, or the results as JSON or Parquet")
+        )
         self.turn = KeyButton("Pause", "F6", "pause", "primary", tokens)
         self.stop = command_button("stop", "stop", tokens)
         self.stop.setFixedWidth(136)

@@ -29,7 +29,7 @@ if TYPE_CHECKING:
     from smsl_studio.studio.features.campaign.work import CampaignWork
 
 NAME = "Campaign"
-KINDS = "Report (*.html);;Results (*.json)"
+KINDS = "Report (*.html);;Results (*.json);;Results (*.parquet)"
 AT = 40.0
 """How far a note stands right of its state, and half of how far below (pixels)."""
 MOST_KEPT = 50
@@ -219,6 +219,7 @@ class CampaignFeature(Feature):
     def export(self) -> None:
         """Save a report or the results."""
         from smsl_studio.front.campaign_page import campaign_page
+        from smsl_studio.front.campaign_parquet import as_parquet
         from smsl_studio.smsl.files import save_document
 
         work = self.work
@@ -232,12 +233,14 @@ class CampaignFeature(Feature):
         if not name:
             return
         done = work.tally.result(work.digest, work.left_out)
-        if "json" in kind or name.endswith(".json"):
-            raw = f"{json.dumps(done.as_json(), indent=1)}\n".encode("ascii")
-        else:
-            raw = campaign_page(work.request, done).encode("utf-8")
         read = [one.file for one in work.request.blueprint.documents]
         try:
+            if "parquet" in kind or name.endswith(".parquet"):
+                raw = as_parquet(done)
+            elif "json" in kind or name.endswith(".json"):
+                raw = f"{json.dumps(done.as_json(), indent=1)}\n".encode("ascii")
+            else:
+                raw = campaign_page(work.request, done).encode("utf-8")
             save_document(raw, Path(name), made_of=read)
         except StudioError as error:
             self._parts.toast.refuse(error)
