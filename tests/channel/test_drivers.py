@@ -65,7 +65,7 @@ def test_the_driver_in_cpp_is_driven_and_tells_the_same_story(tmp_path: Path) ->
     program = str(tmp_path / "driver")
     source = str(tmp_path / "cpp" / "driver.cpp")
     subprocess.run(["g++", *flags, source, "-o", program], check=True)
-    with running([program], f"unix:{tmp_path / 'p'}"):
+    with running([program], f"unix:{tmp_path / 'p'}") as process:
         told = driven(lamp(tmp_path / "cpp"), tmp_path, GOAL)
         # What is no frame ends the connection, and the next one is served.
         address = ChannelAddress("unix:p", path=str(tmp_path / "p"))
@@ -75,7 +75,9 @@ def test_the_driver_in_cpp_is_driven_and_tells_the_same_story(tmp_path: Path) ->
                 end.sendall(said)
                 assert end.recv(9) == b""
         assert end_of(driven(lamp(tmp_path / "cpp"), tmp_path, GOAL))[0] == "goal_reached"
-    (tmp_path / "p").unlink()
+        process.terminate()
+        assert process.wait(timeout=60) == 0
+    assert not (tmp_path / "p").exists()
     with python_driver(tmp_path):
         assert driven(lamp(tmp_path), tmp_path, GOAL) == told
 
@@ -174,3 +176,27 @@ def test_a_driver_is_not_written_over_what_somebody_has_written(tmp_path: Path) 
     with pytest.raises(UsageError, match="no driver is written in 'ros2'"):
         smsl.generate_driver(tmp_path, target="ros2")
     assert json.loads((tmp_path / "lamp.json").read_text("utf-8"))["LAMP"]
+
+
+def test_a_driver_that_is_told_to_end_brakes_and_leaves_no_socket(tmp_path: Path) -> None:
+    braked = tmp_path / "braked"
+    old = "def brake(self) -> None:"
+    mark = f"{old}\n        open({str(braked)!r}, 'w').close()\n        return\n"
+    with python_driver(tmp_path, old, mark) as process:
+        address = ChannelAddress("unix:p", path=str(tmp_path / "p"))
+        with address.connected(5.0) as end:
+            end.setblocking(True)
+            end.sendall(framed({"n": 1, "ask": "hello", "version": 1, "token": ""}))
+            assert end.recv(4096)
+            process.terminate()
+            assert process.wait(timeout=60) == 0
+    assert braked.exists()
+    assert not (tmp_path / "p").exists()
+
+
+def test_a_socket_that_a_killed_driver_left_is_taken(tmp_path: Path) -> None:
+    with python_driver(tmp_path) as process:
+        process.kill()
+        process.wait()
+    with python_driver(tmp_path):
+        assert end_of(driven(lamp(tmp_path), tmp_path, GOAL))[0] == "goal_reached"

@@ -112,3 +112,15 @@ def counted(branch: StateBranch) -> str:
 def sensed_digits(branch: StateBranch) -> Collection[int]:
     """Return the digits of an SB that no sub-SB expands."""
     return [digit for digit in range(branch.num_facts) if digit not in branch.subs]
+
+
+def asks_people(blueprint: Blueprint) -> bool:
+    """Return whether a run asks people for a fact, an operation or a confirmation."""
+    for branch in blueprint:
+        notes = branch.notes.operations.values()
+        if any(one.actor in ("human", "shared") or one.confirm for one in notes):
+            return True
+        facts = map(branch.fact_note, sensed_digits(branch))
+        if any(one is not None and one.aggregation == "human" for one in facts):
+            return True
+    return "human" in blueprint.levels.values()

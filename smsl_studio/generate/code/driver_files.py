@@ -13,6 +13,7 @@ _WORDS = {
         "build": "",
         "start": "python driver.py",
         "operation": "a generator. Each `yield` waits a tick; `return False` says that it failed.",
+        "serves": "in its list which operations",
         "tick": "TICK",
         "hardware": "HARDWARE",
     },
@@ -23,6 +24,7 @@ _WORDS = {
         "start": "./driver",
         "operation": "a function that is called at each tick, until it says `returned` or "
         "`failed`.",
+        "serves": "which operation",
         "tick": "kTick",
         "hardware": "kHardware",
     },

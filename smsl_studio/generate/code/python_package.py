@@ -15,6 +15,7 @@ from smsl_studio.blueprint.model import StateBranch
 from smsl_studio.generate.code import python_branches
 from smsl_studio.generate.code.blueprint_parts import (
     CodeRequest,
+    asks_people,
     counted,
     identity,
     sensed_digits,
@@ -213,6 +214,7 @@ class PythonPackage:
             function_count=len(functions),
             example=textwrap.indent(example.strip("\n"), "   "),
             branches=branches,
+            asks_people=asks_people(self._blueprint),
         )
 
 

@@ -137,6 +137,7 @@ void Carrier::begin(const Shut& shut) {
         run_.tell(said.text("function", edge->acts ? edge->terms->function : ""));
     }
     since_ = run_.time();
+    calls_ = 0;
     stage = Stage::running;
 }
 
@@ -144,7 +145,7 @@ void Carrier::go_on() {
     const Edge& edge = *action().edge;
     Outcome outcome = Outcome::raised;
     try {
-        outcome = edge.terms->run(run_.world, edge);
+        outcome = edge.terms->run(run_.world, edge, calls_++);
     } catch (...) {  // code of others may throw anything
         outcome = Outcome::raised;
     }

@@ -43,6 +43,7 @@ private:
 
     LiveRun& run_;
     std::size_t at_ = 0;
+    long calls_ = 0;  // of the function that runs
     double since_ = 0.0;
     double until_ = 0.0;
     std::string fault_;

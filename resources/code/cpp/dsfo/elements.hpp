@@ -16,10 +16,11 @@ struct Edge;
 using Fact = std::pair<int, int>;  // the number of an SB, and a digit counted from 0
 using Configuration = std::vector<int>;  // the active state of every SB, by number
 
-// What a function of an operation says at each tick. `running`: call me again at the next tick.
+// What a function of an operation says at each tick. `running`: call me again at the next tick, whose
+// number since the operation began it gets; the first is 0.
 enum class Outcome { running, returned, failed, raised };
 
-using Function = Outcome (*)(World&, const Edge&);
+using Function = Outcome (*)(World&, const Edge&, long tick);
 using Reader = std::optional<std::string> (*)(const World&, Fact);
 
 // A fact as the dispatcher believes it: one digit of the states of an SB.
