@@ -109,12 +109,23 @@ class _ReversalRepair:
         return after, self._mismatches(after)
 
     def _is_usual(self, edge: Example) -> bool:
-        """Return whether another edge of its operation changes a fact from and to the same values.
-        An operation with fewer edges than two tells nothing."""
+        """Return whether an edge changes each fact from and to the value that all other edges of
+        its operation have there. Where they differ, or are fewer than two, any value is usual."""
         own = self._table.edges.get(edge.operation, {})
-        changed = _changes(edge.source, edge.target)
         others = [(source, target) for source, target in own.items() if source != edge.source]
-        return len(others) < _FEWEST or any(changed & _changes(*one) for one in others)
+        if len(others) < _FEWEST:
+            return True
+        for digit, (old, new) in enumerate(zip(edge.source, edge.target, strict=True)):
+            known = [
+                {source[digit] for source, _ in others},
+                {target[digit] for _, target in others},
+            ]
+            if old != new and any(
+                len(values) == 1 and value not in values
+                for value, values in zip((old, new), known, strict=True)
+            ):
+                return False
+        return True
 
     def _cost(self, repair: _Repair, after: ExampleTable, before: ExampleTable) -> float:
         """Return how much longer the rule of an operation is after a repair."""
@@ -200,9 +211,3 @@ class _ReversalRepair:
             if gain > _GAIN:
                 table = after
         return table
-
-
-def _changes(source: Values, target: Values) -> set[tuple[int, str, str]]:
-    """Return each fact that changes, with its value before and after."""
-    pairs = zip(source, target, strict=True)
-    return {(digit, old, new) for digit, (old, new) in enumerate(pairs) if old != new}
