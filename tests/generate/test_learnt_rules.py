@@ -198,12 +198,3 @@ def test_a_single_operation_that_changes_nothing_is_odd() -> None:
     (name,) = (one for one, own in table.edges.items() if state not in own)
     found = repaired(table.with_edge(name, state, state))
     assert set(found.all_edges()) == set(table.all_edges())
-
-
-def test_a_wrong_way_that_nothing_is_like_gets_no_way_back() -> None:
-    """The grass stands on the red land, and an operation from the green land moves it."""
-    table = examples_of(of_rules("river")())
-    here, there = tuple("0100"), tuple("B100")
-    wrong = table.with_edge("move_grass_from_red_land_to_boat", here, None)
-    wrong = wrong.with_edge("move_grass_from_green_land_to_boat", here, there)
-    assert set(repaired(wrong).all_edges()) == set(table.all_edges())

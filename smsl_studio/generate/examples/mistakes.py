@@ -90,8 +90,6 @@ class _ReversalRepair:
             guessed = {way} if way else self._reversals.guessed(edge)
             for name in [way] if way else self._ways(table, edge):
                 doubt = 0.0 if name in guessed else _DOUBT
-                if not self._is_usual(Example(name, edge.target, edge.source)):
-                    doubt += _DOUBT
                 options[_Repair(name, edge.target, edge.source)] = doubt
             options[_Repair(edge.operation, edge.source, None)] = _MARGIN
         found = []
@@ -107,25 +105,6 @@ class _ReversalRepair:
             equal.sort(key=lambda one: self._cost(one[2], one[3], table) + one[1])
         after = equal[0][3]
         return after, self._mismatches(after)
-
-    def _is_usual(self, edge: Example) -> bool:
-        """Return whether an edge changes each fact from and to the value that all other edges of
-        its operation have there. Where they differ, or are fewer than two, any value is usual."""
-        own = self._table.edges.get(edge.operation, {})
-        others = [(source, target) for source, target in own.items() if source != edge.source]
-        if len(others) < _FEWEST:
-            return True
-        for digit, (old, new) in enumerate(zip(edge.source, edge.target, strict=True)):
-            known = [
-                {source[digit] for source, _ in others},
-                {target[digit] for _, target in others},
-            ]
-            if old != new and any(
-                len(values) == 1 and value not in values
-                for value, values in zip((old, new), known, strict=True)
-            ):
-                return False
-        return True
 
     def _cost(self, repair: _Repair, after: ExampleTable, before: ExampleTable) -> float:
         """Return how much longer the rule of an operation is after a repair."""
