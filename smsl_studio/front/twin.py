@@ -9,8 +9,9 @@ with ``host="process"`` a process of its own, so nothing in it touches the run.
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping
-from contextlib import suppress
+import sys
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager, suppress
 from dataclasses import replace
 
 from smsl_studio.blueprint.address import Address
@@ -30,6 +31,10 @@ from smsl_studio.world.engines import REMOTE, TABLE
 
 LOW = 10
 """The priority (nice) of a gentle twin."""
+TURN = 0.0005
+"""Seconds after which the thread of a gentle twin lets others of the program have the interpreter.
+With Python's own 5 ms, ticks of the run began late while a forecast was made beside it."""
+USUAL_TURN = sys.getswitchinterval()
 HARDWARE = "a world that is hardware"
 LIVES = 3
 """After so many lost worlds, no further one is built."""
@@ -39,7 +44,8 @@ class Twin:
     """Predicts operations of one run. The world is built at the first forecast.
 
     ``loaded`` are plugins that were found before (see ``make_host``). A ``gentle`` twin in a
-    process of its own has a low priority, so that it takes no time from the run.
+    process of its own has a low priority, and its thread lets the others go first often, so that
+    it takes no time from the run.
     """
 
     def __init__(
@@ -65,7 +71,8 @@ class Twin:
         if self._lost >= LIVES:
             return Prediction(NONE, reason=self._why)
         try:
-            return self._tried(configuration, edge, watch)
+            with _short_turns(self._gentle):
+                return self._tried(configuration, edge, watch)
         except StudioError as error:
             self.close()
             self._lost, self._why = self._lost + 1, error.sentence
@@ -82,7 +89,8 @@ class Twin:
         if there is None or there.standing.configuration.get(edge.branch) != edge.state:
             return None
         try:
-            return self._carried(there, edge)
+            with _short_turns(self._gentle):
+                return self._carried(there, edge)
         except StudioError as error:
             self.close()
             return Prediction(NONE, reason=error.sentence)
@@ -147,6 +155,17 @@ def may_be_tried(world: str, loaded: Loaded | None) -> bool:
     if world in (REMOTE, TABLE) or loaded is None:
         return world != REMOTE
     return not loaded.world(world)[1].hardware
+
+
+@contextmanager
+def _short_turns(gentle: bool) -> Iterator[None]:
+    """Let the threads of this program take shorter turns for a while, if ``gentle``."""
+    if gentle:
+        sys.setswitchinterval(TURN)
+    try:
+        yield
+    finally:
+        sys.setswitchinterval(USUAL_TURN)
 
 
 def _yield_to_others(host: Host) -> None:

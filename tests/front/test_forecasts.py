@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import io
 import json
+import sys
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
@@ -37,6 +38,7 @@ from smsl_studio.runlog.events import (
 )
 from smsl_studio.runlog.regulation import AGREES, COMPARISONS, DIFFERS, FORECASTS, NONE
 from smsl_studio.shipped import samples_dir
+from smsl_studio.stop import heeding
 from tests.front.any_run import any_run
 from tests.plugin_folder import blueprint_of, write_plugin
 from tests.runlog.impossible import Story
@@ -417,6 +419,24 @@ def test_a_twin_goes_on_along_the_route_until_it_differs() -> None:
         ]
     finally:
         twin.close()
+
+
+@pytest.mark.parametrize("gentle", [True, False])
+def test_beside_a_run_a_twin_lets_other_threads_have_short_turns(gentle: bool) -> None:
+    """Else ticks of the run begin late while it forecasts."""
+    usual, seen = sys.getswitchinterval(), set[bool]()
+    twin = Twin(RunRequest(read(SAMPLE), host="local"), gentle=gentle)
+
+    def heed() -> None:
+        seen.add(sys.getswitchinterval() < usual / 2)
+
+    try:
+        with heeding(heed):
+            assert twin.predict({"SB1": "State_aa"}, Address("SB1", "State_aa", "Op_1b"))
+    finally:
+        twin.close()
+    assert seen == {gentle}
+    assert sys.getswitchinterval() == usual
 
 
 HARDWARE = """
