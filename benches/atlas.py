@@ -341,8 +341,23 @@ def _notes(cells: Iterable[Cell], notes: Mapping[tuple[str, str, str], int]) -> 
             yield f"   - {name}: facts {one.seen}, predicted {one.facts}{words}"
 
 
-REASONS: dict[tuple[str, str, str], str] = {}
-"""Why cells with this fault end otherwise than predicted, by fault, prediction and outcome."""
+REASONS: dict[tuple[str, str, str], str] = {
+    ("gripper_opens", RECOVERED, HELD): "The ring stands on its edge, and the arm has no grip for "
+    "that: both ways out fail as soon as they begin.",
+    ("gripper_opens", RECOVERED, UNDISTURBED): "The ring fell onto the peg that it was carried to.",
+    ("wrong_order", RECOVERED, HELD): "A ring that lies on a smaller one counts as on no peg, and "
+    "so does one that was put on top of both; no state of the blueprint has two such rings. Where "
+    "one alone is off, the arm did not get the largest ring onto a peg.",
+    ("tower_carried", RECOVERED, HELD): "Both rings came down on a smaller one, so they count as "
+    "on no peg; no state of the blueprint has two such rings.",
+    ("slippery", HELD, RECOVERED): "The ring slipped out of the fingers before it was lifted, so "
+    "all stands as before. The way on does not need this ring any more, or a later grip held.",
+    ("blocked_peg", HELD, RECOVERED): "The ring pushed the cap off its peg, so the peg was free.",
+    ("blocked_peg", RECOVERED, HELD): "The ring pushed the cap off its peg, and it came down on "
+    "peg c, which the rest of the way needs.",
+}  # fmt: skip
+"""Why cells with this fault end otherwise than predicted, by fault, prediction and outcome. How
+rings and cap lay was read from their poses, in one cell of each kind."""
 
 
 def main() -> None:
