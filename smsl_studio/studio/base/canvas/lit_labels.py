@@ -179,6 +179,8 @@ def _label(sheet: Sheet, edge: int, taken: list[Rect], view: Rect) -> LitLabel |
         named = sheet.level >= Level.COMPACT and not sheet.looks.marks.dimmed
         if named and not (own and _is_free(sheet, own, taken)):
             rects = _off_names(sheet, edge, rects) or rects
+        if not look.hovered:
+            rects = [rect for rect in rects if not _is_cut(rect, view)]
         if not (look.trail or look.planned or look.hovered):
             # A merely possible operation is named only where there is room; the list of operations
             # has the rest.
@@ -301,6 +303,11 @@ def _on_a_way(sheet: Sheet, edge: int, rect: Rect) -> bool:
 
 def _lies_in(rect: Rect, view: Rect) -> bool:
     return rect[0] >= view[0] and rect[1] >= view[1] and rect[2] <= view[2] and rect[3] <= view[3]
+
+
+def _is_cut(rect: Rect, view: Rect) -> bool:
+    """Whether the view shows only a part of a rectangle: half a name cannot be read."""
+    return labels.meet(rect, view) and not _lies_in(rect, view)
 
 
 def _near_sign(sheet: Sheet, edge: int, text: EdgeText, shape: EdgeShape) -> list[Rect]:

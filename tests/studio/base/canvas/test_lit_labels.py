@@ -8,9 +8,11 @@ import pytest
 from pytestqt.qtbot import QtBot
 
 from smsl_studio.blueprint.address import Address
+from smsl_studio.front.inputs import read
 from smsl_studio.graph.layout import place_states
 from smsl_studio.picture.labels import meet
 from smsl_studio.picture.marks import Marks
+from smsl_studio.shipped import plugins_dir
 from smsl_studio.studio.base.canvas.canvas import Canvas
 from smsl_studio.studio.base.canvas.lit_labels import by_weight, lit_labels
 from smsl_studio.studio.base.theme import LIGHT
@@ -145,3 +147,31 @@ def test_the_name_of_a_step_that_is_walked_covers_no_other_name(qtbot: QtBot, na
                     if not sheet.looks.is_lit(other) and rect is not None:
                         assert not meet(label.rect, rect), (first, then, label.text)
     assert named
+
+
+def test_no_name_of_a_planned_way_is_cut_by_the_edge_of_the_view(qtbot: QtBot) -> None:
+    """A long name at the last column of a wide drawing was cut in the middle."""
+    blueprint = read(plugins_dir() / "chess" / "chess.json")
+    branch = blueprint["SB1"]
+    canvas = Canvas(LIGHT)
+    qtbot.addWidget(canvas)
+    canvas.resize(556, 486)
+    canvas.editing = False
+    canvas.show_branch(blueprint, branch.name, place_states(branch))
+    canvas.fit()
+    edges = list(branch.edges())
+    seen = canvas.mapToScene(canvas.viewport().rect()).boundingRect()
+    view = (seen.left(), seen.top(), seen.right(), seen.bottom())
+    named = 0
+    for first in range(0, len(edges), 12):
+        planned = tuple(edge.address for edge in edges[first : first + 12])
+        canvas.set_marks(Marks(planned=planned, dimmed=True))
+        assert canvas.sheet is not None
+        for label in lit_labels(canvas.sheet, by_weight(canvas.sheet), view):
+            left, top, right, bottom = label.rect
+            assert left >= view[0], label
+            assert right <= view[2], label
+            assert top >= view[1], label
+            assert bottom <= view[3], label
+            named += 1
+    assert named > 40
