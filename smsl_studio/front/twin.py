@@ -151,8 +151,9 @@ class Twin:
 
 def may_be_tried(world: str, loaded: Loaded | None) -> bool:
     """Return whether a world may be there twice, so that its operations can be tried beforehand.
-    ``loaded`` are the plugins, None if they are not known."""
-    if world in (REMOTE, TABLE) or loaded is None:
+    ``loaded`` are the plugins, None if they are not known. An unknown world may: to build it is
+    refused with the reason."""
+    if world in (REMOTE, TABLE) or loaded is None or world not in loaded.worlds:
         return world != REMOTE
     return not loaded.world(world)[1].hardware
 

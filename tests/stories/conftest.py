@@ -71,20 +71,15 @@ def sit(
         (windows,) = made
         windows.settings.theme = "light"
         window = make_window(windows, str(path) if path else "")
-        # Nothing is painted until the window has its size and its page: that would be one half of
-        # the work of opening it.
-        window.setUpdatesEnabled(False)
         qtbot.waitUntil(lambda: windows.plugins.known)
         window.resize(*size)
         window.activateWindow()
         qtbot.waitUntil(window.isActiveWindow)
         person = Person(window, qtbot, windows)
-        window.setUpdatesEnabled(True)
         if path is None and begin:
             person.ctrl(Qt.Key.Key_N)
         if begin:
             window.canvas.setFocus()
-        qapp.processEvents()
         return person
 
     yield open_on

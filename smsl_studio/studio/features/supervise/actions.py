@@ -75,7 +75,7 @@ def supervise_actions(pane: Supervising, shell: Shell) -> tuple[Action, ...]:
         Action("choose_operation", "Choose an operation", there(pane.choose_first), "Run", "",
                tuple("123456789"), pane.run_exists, scope="supervise", section=2,
                tip="Choose one of the operations out of the current state"),
-        Action("large_supervise", "Supervise, large", there(pane.turn_large), "View", "", ("L",),
+        Action("large_supervise", "Supervise, large", there(pane.turn_large), "View", "", ("W",),
                checked=pane.is_large, scope="supervise", section=3,
                tip="Few words in large letters, read from two metres", also="big wall screen"),
         *(command(one) for one in COMMANDS.values() if one.tip),

@@ -38,7 +38,7 @@ def press(page: Pressed, key: Qt.Key) -> bool:
         page.choose(key - Qt.Key.Key_0)
     elif key in KEYS:
         page.ask_for(KEYS[key])
-    elif key == Qt.Key.Key_L:
+    elif key == Qt.Key.Key_W:
         page.turn_large()
     elif key == Qt.Key.Key_Escape:
         page.drop()
