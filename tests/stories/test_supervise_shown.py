@@ -203,7 +203,7 @@ def test_what_is_offered_while_a_run_holds_has_its_whole_words(sit: Sit) -> None
 def test_the_large_layout_has_few_words_and_is_remembered(sit: Sit) -> None:
     at = AtSupervise(sit(HANOI, (1280, 800)))
     at.start_paused()
-    at.press(Key.Key_L)
+    at.press(Key.Key_W)
     assert at.pane.large.isVisible()
     assert at.pane.large.words.state == "State_caa"
     hidden = (at.pane.board, at.pane.text, at.pane.below, at.pane.forecast)
