@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import json
 import os
-import select
 import signal
 import subprocess
 import sys
@@ -34,14 +33,13 @@ from smsl_studio.front.campaign_runs import (
     verdict_of_json,
 )
 from smsl_studio.front.campaigns import CampaignWatch, campaign
+from smsl_studio.front.child_lines import told_lines
 from smsl_studio.front.inputs import read
 from smsl_studio.front.runs import run_request
 from smsl_studio.host.started_child import environment_of_child
-from smsl_studio.stop import Stopped, heed, heeding
+from smsl_studio.stop import Stopped, heeding
 
 Json = Any
-WAIT = 0.05
-"""How long a wait for the process lasts before a stop is looked for (s)."""
 LONGEST = 100_000_000
 """The largest length of one line (bytes): that of the rows of a very large blueprint."""
 AT_ONCE = 1_000_000
@@ -156,23 +154,7 @@ class CampaignChild:
     def _lines(self) -> Iterator[dict[str, Json]]:
         pipe = self._child.stdout
         assert pipe is not None
-        heard = b""
-        while True:
-            heed()
-            if not select.select([pipe], [], [], WAIT)[0]:
-                continue
-            part = os.read(pipe.fileno(), AT_ONCE)
-            if not part or len(heard) > LONGEST:
-                return
-            *whole, heard = (heard + part).split(b"\n")
-            for line in whole:
-                try:
-                    told = json.loads(line)
-                except (ValueError, RecursionError):
-                    raise _dead() from None
-                if not isinstance(told, dict):
-                    raise _dead()
-                yield told
+        return told_lines(pipe, LONGEST, _dead)
 
 
 def _is_place(number: object, most: int) -> bool:

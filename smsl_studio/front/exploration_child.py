@@ -9,8 +9,6 @@ window believes no line that does not fit.
 from __future__ import annotations
 
 import json
-import os
-import select
 import signal
 import subprocess
 import sys
@@ -23,17 +21,15 @@ from typing import Any
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.errors import StudioError, UsageError, WorldError
 from smsl_studio.front.attempts import TriedState, Values
+from smsl_studio.front.child_lines import told_lines
 from smsl_studio.front.explored_part import tried_line, tried_of_line
 from smsl_studio.front.inputs import read
 from smsl_studio.front.physics import LIMIT, generate_explore
 from smsl_studio.host.started_child import environment_of_child
-from smsl_studio.stop import Stopped, heed, heeding
+from smsl_studio.stop import Stopped, heeding
 
 Json = Any
 Tried = Callable[[Values, TriedState], None]
-WAIT = 0.05
-"""The longest time (s) between two looks whether the exploration is still wanted."""
-AT_ONCE = 1 << 16
 LONGEST = 1 << 20
 """The largest size of a line (bytes)."""
 PATIENCE = 5.0
@@ -112,23 +108,7 @@ class ExplorationChild:
     def _lines(self) -> Iterator[dict[str, Json]]:
         pipe = self._child.stdout
         assert pipe is not None
-        heard = b""
-        while True:
-            heed()
-            if not select.select([pipe], [], [], WAIT)[0]:
-                continue
-            part = os.read(pipe.fileno(), AT_ONCE)
-            if not part or len(heard) > LONGEST:
-                return
-            *whole, heard = (heard + part).split(b"\n")
-            for line in whole:
-                try:
-                    told = json.loads(line)
-                except (ValueError, RecursionError):
-                    raise _dead() from None
-                if not isinstance(told, dict):
-                    raise _dead()
-                yield told
+        return told_lines(pipe, LONGEST, _dead)
 
 
 def _dead() -> WorldError:

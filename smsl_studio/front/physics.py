@@ -242,8 +242,8 @@ def _built(values: dict[str, Json], name: str) -> Blueprint:
 
 
 def _rate_note(share: float) -> dict[str, Json]:
-    """Return cost and risk of an operation that works in this share of its attempts. They are those
-    that a campaign with the same share would propose."""
+    """Return the cost and the risk of an operation. ``share`` is how many of its attempts worked,
+    from 0 to 1. A campaign with this share would propose the same."""
     return {"cost": round(2.0 - share, 2), "risk": risk_word(1.0 - share)}
 
 

@@ -147,7 +147,7 @@ class RuleSteps:
             yield self._steps(codes[at : at + holds.shape[1] * 64], holds)
 
     def _steps(self, codes: Codes, holds: Words) -> _StepArrays:
-        """Return the steps of some states. ``holds`` says which case may be taken."""
+        """Return the steps from some states. ``holds`` tells which case applies in which state."""
         if len(self._turns) > 1:
             holds = self._first(holds)
         states, cases = np.nonzero(bits(holds, len(codes)).T)

@@ -64,8 +64,8 @@ TICKS = 10.0
 
 
 def paint_ticks(painter: QPainter, box: QRectF, differs: bool, tokens: Tokens) -> None:
-    """Paint two ticks at the right of a cell: what was foreseen above, what was seen below. They
-    are in line if both are the same."""
+    """Paint two ticks at the right of a cell: the upper one for what was foreseen, the lower
+    one for what was seen. They stand one above the other if both are the same."""
     x, half = box.right() - 5, box.height() / 2 - 2
     painter.setPen(Qt.PenStyle.NoPen)
     painter.setBrush(tokens.tx)

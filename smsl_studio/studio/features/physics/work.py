@@ -19,8 +19,8 @@ LOOK = 150
 
 
 class PhysicsWork(QObject):
-    """One exploration at a time. ``found`` is what it has found, ``tried`` how many states it has
-    tried."""
+    """Runs one exploration at a time. ``found`` has what was found so far, ``tried`` is the number
+    of states that were tried."""
 
     changed = Signal()
     """The phase or what is found changed."""

@@ -20,7 +20,7 @@ from smsl_studio.studio.features.supervise.large_words import (
 )
 
 PLAIN, WORDS, NAME, STATE = 26, 30, 40, 52
-"""The sizes of letters (pixels): the least is twice that of the usual text."""
+"""The sizes of letters (pixels). The smallest is twice as large as the usual text."""
 MARGIN, GAP, ROW = 24.0, 14.0, 48.0
 LINE = 1.3
 """The height of a line, as a multiple of its letters."""

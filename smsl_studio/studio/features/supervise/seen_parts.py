@@ -119,7 +119,7 @@ class SeenParts(QWidget):
         return place.width() if place is not None else self.width()
 
     def set_large(self, on: bool) -> None:
-        """Leave the room to the large layout, or take it back."""
+        """Hide everything for the large layout, or show it again."""
         if on:
             self.put_back()
         self._large = on
