@@ -14,7 +14,7 @@ from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.blueprint.reading import read_blueprint
 from smsl_studio.dispatch.dispatcher import Dispatcher
 from smsl_studio.dispatch.drive.terms import RunTerms
-from smsl_studio.errors import UsageError
+from smsl_studio.errors import UsageError, WorldError
 from smsl_studio.front.hosts import make_host
 from smsl_studio.front.request import RunRequest
 from smsl_studio.front.single_edge import carried_out
@@ -121,6 +121,40 @@ class Attempts:
         (self._branch,) = request.blueprint
         self._alphabet = [frozenset(own) for own in self._branch.alphabet]
 
+    @property
+    def names(self) -> Sequence[str]:
+        """The operations that are tried."""
+        return self._names
+
+    def leave_out_unfit(self, values: Values) -> None:
+        """Leave out the operations with arguments that the world does not have: a world refuses a
+        blueprint that moves a disk to a peg named "disk 1". ``values`` are those of the start.
+        WorldError if the world refuses the start, or all operations."""
+        names = tuple(self._names)
+        self._names = self._fit(values, names)
+        if not self._names:
+            self._open(values, names)
+
+    def _fit(self, values: Values, names: tuple[str, ...]) -> tuple[str, ...]:
+        """Return those of some operations that the world does not refuse."""
+        heed()
+        try:
+            self._open(values, names)
+        except WorldError:
+            if len(names) == 1:
+                return ()
+            half = len(names) // 2
+            return self._fit(values, names[:half]) + self._fit(values, names[half:])
+        return names
+
+    def _open(self, values: Values, names: Sequence[str]) -> None:
+        """Open the world once for a state with these operations. WorldError if it refuses them."""
+        host = self._host(self._here(values, names), 0)
+        try:
+            host.open({self._branch.name: _HERE})
+        finally:
+            host.close()
+
     def may_give(self, tried: TriedState) -> bool:
         """Return whether what was kept has only operations and values that there are."""
         names = set(self._names)
@@ -134,7 +168,7 @@ class Attempts:
 
     def state(self, values: Values) -> TriedState:
         """Try all operations from some values."""
-        hierarchy = Hierarchy(self._here(values))
+        hierarchy = Hierarchy(self._here(values, self._names))
         ends: dict[str, list[Attempt]] = {name: [] for name in self._names}
         for seed in range(self._repeats):
             left = [name for name, own in ends.items() if self._is_open(own, values)]
@@ -209,8 +243,8 @@ class Attempts:
     def _end(self, hierarchy: Hierarchy, host: Host, name: str, seed: int) -> tuple[Attempt, bool]:
         """Return how an operation ended, and whether the host was lost."""
         branch = self._branch.name
-        start = {branch: _HERE}
         edge = Address(branch, _HERE, name)
+        start = {branch: _HERE}
         terms = RunTerms(start, seed=seed, automatic=False, guarded=False)
         dispatcher = Dispatcher(hierarchy.blueprint, host, terms)
         events, source = carried_out(hierarchy, dispatcher, host, edge, start)
@@ -224,7 +258,7 @@ class Attempts:
         known = tuple(values) if len(values) == len(self._alphabet) else None
         return Attempt(known, outcomes == ["returned"]), lost
 
-    def _here(self, values: Values) -> Blueprint:
+    def _here(self, values: Values, names: Sequence[str]) -> Blueprint:
         """Return a blueprint of one state, from which every operation leads back to it."""
         branch = self._branch
         fields: dict[str, Json] = {
@@ -234,6 +268,6 @@ class Attempts:
         }
         fields["_states"] = {_HERE: {"facts": list(values)}}
         header = {"INITIAL": _HERE, "ACTIVATING": _HERE, "NUM_FACTS": len(values)}
-        row = dict.fromkeys(self._names, _HERE)
+        row = dict.fromkeys(names, _HERE)
         text = write_json({branch.name: {"HEADER": header, **fields, _HERE: row}})
         return read_blueprint(parse_json(text, "here.json"))

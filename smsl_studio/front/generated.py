@@ -39,7 +39,7 @@ def generate_rules(file: Name, limit: int = MOST_STATES) -> Generated:
 
     Rules may lead to more states than ``limit``, or have no end. Then the first states are
     returned, and ``_origin`` says that they are not the whole. ReadError, with its line, for rules
-    that cannot be read. UsageError for a start that is left out.
+    that cannot be read, or if the start is left out.
 
     >>> _ = Path("light.toml").write_text('''
     ... sb = "LIGHT"

@@ -119,6 +119,8 @@ def generate_explore(
     request = RunRequest(start, world, host="local", plugin_paths=paths, robot=robot)
     request = with_robot(request, loaded)
     attempts = Attempts(request, loaded, names, repeats, rates)
+    attempts.leave_out_unfit(branch.facts(branch.initial))
+    names = tuple(attempts.names)
     head = exploration_head(request, names, repeats, rates) if part is not None else ""
     kept = ExploredPart(part, head)
     try:

@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from smsl_studio.errors import UsageError
+from smsl_studio.errors import ReadError
 from smsl_studio.generate.rule_circuit import RuleCircuit, bits, every_state
 from smsl_studio.generate.rule_file import RuleSet
 from smsl_studio.generate.rule_steps import RuleSteps
@@ -42,13 +42,13 @@ def ruled_branch(rules: RuleSet, limit: int = MOST_STATES) -> RuledBranch:
     """Return the branch of some rules. Operations stand in the order of the rules.
 
     If there are more than ``limit`` states or ``MOST_EDGES`` operations, the first states are
-    returned, and the operations between them. UsageError if the start is one of the states that are
+    returned, and the operations between them. ReadError if the start is one of the states that are
     left out.
     """
     steps = RuleSteps(rules)
     first = steps.packed(rules.start)
     if steps.left_out(first):
-        raise UsageError("the start is a state that 'never' leaves out")
+        raise ReadError("the start is a state that 'never' leaves out", rules.start_at)
     found = _searched(steps, first, limit)
     names = [f"State_{values}" for values in steps.names(found.keys)]
     table = dict(zip(names, found.rows(names), strict=True))

@@ -123,6 +123,29 @@ def test_an_operation_that_changes_no_fact_is_not_missing_where_it_returns(
     assert (("0", "0"), "Op_idle") in told.idle
 
 
+def test_arguments_that_the_world_refuses_are_not_tried(tmp_path: Path) -> None:
+    refusing = SWITCHES.replace(
+        "        (world.sb,) =",
+        "        from smsl_studio.errors import WorldError\n"
+        "        for edge in (edge for branch in blueprint for edge in branch.edges()):\n"
+        "            if 'lamp' in edge.address.operation:\n"
+        "                raise WorldError(f'{edge.address} turns nothing')\n"
+        "        (world.sb,) =",
+    )
+    write_plugin(tmp_path, "switches", refusing)
+    facts = {"0": {"name": "lamp 1"}, "1": {"name": "lamp 2"}}
+    named = blueprint_of({"BOARD": {**BOARD["BOARD"], "_facts": facts}})
+    loaded = known_world("switches", (tmp_path,))
+    assert loaded is not None
+    assert "Op_1lamp 1" in bound_names(loaded, "switches", *named)
+    told = generate_explore(named, "switches", plugin_paths=(tmp_path,))
+    assert table_of(told.generated.blueprint)["State_00"] == {"Op_11": "State_10"}
+    other = tmp_path / "other"
+    write_plugin(other, "switches", refusing.replace("'lamp' in", "'' in"))
+    with pytest.raises(WorldError, match="turns nothing"):
+        generate_explore(named, "switches", plugin_paths=(other,))
+
+
 def test_the_limit_keeps_what_was_reached(paths: tuple[Path, ...]) -> None:
     told = generate_explore(blueprint_of(BOARD), "switches", plugin_paths=paths, limit=2)
     assert told.bound

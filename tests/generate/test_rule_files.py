@@ -5,20 +5,26 @@ from __future__ import annotations
 import itertools
 import json
 import random
+import re
+from collections.abc import Callable
+from pathlib import Path
 
 import pytest
 
 import smsl_studio as smsl
 from benches.layouts.procedures import chess, river
-from smsl_studio.errors import ReadError, UsageError
+from smsl_studio.errors import ReadError
 from smsl_studio.generate.rule_circuit import RuleCircuit, bits, every_state
 from smsl_studio.generate.rule_conditions import Alphabets, condition
 from smsl_studio.generate.rule_file import read_rules
 from smsl_studio.generate.rule_states import ruled_branch
 from smsl_studio.shipped import samples_dir
-from tests.generate import brute_force
+from tests.generate import brute_force, plain_procedures
+from tests.generate.plain_procedures import Steps
 
 RULES = samples_dir() / "rules"
+FOREIGN = Path(__file__).parent / "foreign_rules"
+"""Rules that somebody wrote who knew the documentation alone."""
 
 
 def table_of(name: str) -> dict[str, dict[str, str]]:
@@ -42,6 +48,57 @@ def test_the_families_are_those_of_an_independent_search(
     name: str, table: dict[str, dict[str, str]]
 ) -> None:
     assert table_of(name) == table
+
+
+@pytest.mark.parametrize(
+    ("name", "start", "steps"),
+    [
+        ("sluice", ("shut", "shut", "down"), plain_procedures.sluice),
+        ("syringes", ("E", "E", "E"), plain_procedures.syringes),
+        ("robots", ("A", "C"), plain_procedures.robots),
+        ("jugs", ("0", "0"), plain_procedures.jugs),
+        ("theatre", ("s", "s", "w", "c", "o"), plain_procedures.theatre),
+    ],
+)
+def test_rules_written_from_the_documentation_alone_say_what_was_meant(
+    name: str, start: plain_procedures.State, steps: Callable[[plain_procedures.State], Steps]
+) -> None:
+    made = smsl.generate_rules(FOREIGN / f"{name}.toml")
+    (only,) = made.blueprint
+    found = {state: dict(operations) for state, operations in only.table.items()}
+    assert found == plain_procedures.searched(start, steps)
+    assert made.goal_reached
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "words"),
+    [
+        ('large = "0"}}', 'large = "9"}}', "the fact large has no value '9'"),
+        ("small = 3 and large = 4", "small = 3 and lager = 4", "there is no fact 'lager'"),
+        ('{"{jug}" = "0"}', '{"{jug}" = "00"}', "the fact small has no value '00'"),
+        ("{jug} != 0", "{jug} 0", "where {jug} is 'small'"),
+    ],
+)
+def test_a_fault_is_told_in_the_line_of_its_rule(old: str, new: str, words: str) -> None:
+    text = (FOREIGN / "jugs.toml").read_text()
+    with pytest.raises(ReadError, match=re.escape(words)) as told:
+        read_rules(text.replace(old, new, 1).encode(), "jugs.toml")
+    assert told.value.place is not None
+    assert told.value.place.line == text[: text.index(old)].count("\n") + 1
+
+
+def test_all_faults_of_a_file_are_told_at_once() -> None:
+    text = (FOREIGN / "jugs.toml").read_text()
+    wrong = text.replace("small != 3", "smal != 3").replace("small = 3 and large = 4", "large")
+    with pytest.raises(ReadError) as told:
+        read_rules(wrong.encode(), "jugs.toml")
+    first, second = told.value.faults
+    assert "there is no fact 'smal'" in first.sentence
+    assert "Did you mean small?" in first.advice
+    assert "disk1 = a" in second.advice, "the example is one of rules, which know no states"
+    assert first.place is not None
+    assert second.place is not None
+    assert first.place.line < second.place.line
 
 
 def test_registration_is_the_papers() -> None:
@@ -124,7 +181,7 @@ cases = [{{when = "a = 0", set = {{a = "1"}}}}, {{set = {{a = "0"}}}}]
         (HEAD + RULE.replace("a = 0", "count(a, z = 1) > 0"), 5, "there is no fact 'z'"),
         (HEAD + RULE.replace('set = {a = "1"}', 'set = {d = "1"}'), 5, "no fact 'd' to set"),
         (HEAD + RULE.replace('set = {a = "1"}', 'set = {a = "9"}'), 5, "has no value '9'"),
-        (HEAD + RULE + RULE, 4, "the operation flip is made twice"),
+        (HEAD + RULE + RULE, 7, "the operation flip is made twice"),
         (HEAD.replace('"1"]}, {', '"11"]}, {') + RULE, 1, "the same number of characters"),
         (HEAD + RULE.replace("flip", "{x}").replace("cases", 'for = {x = ["go"]}\ncases')
          .replace("a = 0", "{x} = go"), 6, "there is no fact 'go'"),
@@ -191,8 +248,10 @@ def test_rules_without_an_end_are_bounded() -> None:
 
 
 def test_a_start_that_is_left_out_is_refused() -> None:
-    with pytest.raises(UsageError, match="the start is a state that 'never' leaves out"):
+    with pytest.raises(ReadError, match="the start is a state that 'never' leaves out") as told:
         ruled_branch(read_rules(f'{HEAD}never = ["a = 0"]\n{RULE}'.encode(), "rules.toml"))
+    assert told.value.place is not None
+    assert told.value.place.line == HEAD[: HEAD.index("start =")].count("\n") + 1
 
 
 FACTS = {"a": ("0", "1", "2"), "b c": ("0", "1", "2"), "d": ("0", "1", "2")}

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from smsl_studio.studio.features.physics.page import EMPTY, PhysicsPage
+from smsl_studio.studio.features.physics.page import PhysicsPage
 from tests.front.test_physics import BOARD, SWITCHES
 from tests.plugin_folder import write_plugin
 from tests.stories.conftest import Sit
@@ -41,7 +41,8 @@ def test_the_graph_grows_is_paused_goes_on_and_is_kept(at_physics: AtPhysics) ->
     work = person.window.features.physics.work
     assert work is not None
     assert person.window.mode == "physics"
-    assert (page.sum.text(), page.keep.isEnabled()) == (EMPTY, False)
+    assert page.empty.isVisible()
+    assert not page.keep.isEnabled()
     person.click(page.turn)
     person.until(lambda: work.tried > 0)
     assert page.keep.isEnabled()
@@ -83,7 +84,8 @@ def test_what_was_tried_is_known_to_the_next_window_until_it_is_forgotten(
     assert part.read_bytes().count(b"\n") == 5, "nothing was tried again"
     person.click(page.anew)
     assert not part.exists()
-    assert page.sum.text() == EMPTY
+    assert page.empty.isVisible()
+    assert not page.canvas.isVisible()
 
 
 def test_a_drawing_without_one_start_is_refused_and_so_is_a_world_that_does_not_suit(

@@ -190,13 +190,14 @@ def _unreadable(text: str, at: int) -> FormulaError:
 def _fault(token: _Token, wanted: str) -> FormulaError:
     shown = token.text if len(token.text) <= _SHOWN else f"{token.text[:_SHOWN]}..."
     found = "the text ends" if token.kind == "end" else f"{shown!r} stands"
-    return FormulaError(f"{wanted}, but {found} there", token.at, _FORM)
+    return FormulaError(f"{wanted}, but {found} there", token.at, FORM)
 
 
-_FORM = (
+FORM = (
     'A condition is such as: SB1/0 = a and not (SB2 in State_1 or "Clamp fixed" != 1). '
     "Other names than letters, digits, _ and - stand in '...'."
 )
+"""The advice where a condition cannot be read."""
 
 
 def written_name(name: str) -> str:

@@ -4,7 +4,14 @@ the drawing."""
 from __future__ import annotations
 
 from PySide6.QtCore import Qt, Signal, SignalInstance
-from PySide6.QtWidgets import QComboBox, QPushButton, QSpinBox, QVBoxLayout, QWidget
+from PySide6.QtWidgets import (
+    QComboBox,
+    QPushButton,
+    QSpinBox,
+    QStackedWidget,
+    QVBoxLayout,
+    QWidget,
+)
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.comparison.signs import ADDED
@@ -22,7 +29,12 @@ from smsl_studio.studio.base.words import counted
 from smsl_studio.studio.features.physics.work import DONE, NONE, PAUSED, RUNNING, PhysicsWork
 from smsl_studio.studio.running.frames import head, split
 
-EMPTY = "Nothing is explored yet. Explore tries every operation in every state that it finds."
+EMPTY = "Nothing is explored yet."
+EXPLAINED = (
+    "Explore tries every operation of the world in every state that it finds, and the graph grows "
+    "here while it does. It begins at the INITIAL state of the drawing. What was found becomes a "
+    "new blueprint, to be inspected; the drawing does not change."
+)
 MOST = 500
 """So many differences are listed."""
 
@@ -57,6 +69,7 @@ class PhysicsPage(QWidget):
         self.canvas.editing = False
         self.canvas.collapse.join(SharedCollapse(self))
         self.canvas.setAccessibleName("What the world permits")
+        self.empty, self._shown = _empty_page(), QStackedWidget()
         self.list = RowsView(tokens, self)
         self.list.setAccessibleName("Differences to the drawing")
         self.why = label("", "hint")
@@ -78,7 +91,9 @@ class PhysicsPage(QWidget):
     def _build(self) -> None:
         middle, between = empty_panel()
         between.addWidget(head("World", self.world, self.repeats, self.turn, self.anew, self.sum))
-        between.addWidget(self.canvas, 1)
+        for part in (self.empty, self.canvas):
+            self._shown.addWidget(part)
+        between.addWidget(self._shown, 1)
         side, column = empty_panel()
         column.addWidget(head("Differences to the drawing", None, self.count))
         column.addWidget(self.list, 1)
@@ -119,13 +134,15 @@ class PhysicsPage(QWidget):
         self.keep.setEnabled(work.tried > 0)
         if work.request is None:
             self._made = None
-            self.sum.setText(EMPTY)
+            self.sum.setText("")
             self.canvas.show_sheet(None)
+            self._shown.setCurrentWidget(self.empty)
             self._show_differences(None)
             return
         request = work.request
         made = self._made = explored_blueprint(work.found, request.start, request.world)
         self.sum.setText(self._sum_words(made))
+        self._shown.setCurrentWidget(self.canvas)
         (branch,) = made.blueprint
         same = self.canvas.sheet is not None
         self.canvas.show_branch(made.blueprint, branch.name, keep_view=same)
@@ -146,7 +163,7 @@ class PhysicsPage(QWidget):
         if difference is None:
             self.list.show_rows([])
             self.count.setText("")
-            self.why.setText(EMPTY)
+            self.why.setText("")
             return
         missing = difference.missing if self._work.phase == DONE else ()
         rows = [_row("False", one, "Physics permits it, and the drawing has it not so.", "W")
@@ -171,6 +188,20 @@ TIPS = {
     PAUSED: "Go on with the states that were not tried",
     DONE: "All states that were found have been tried",
 }
+
+
+def _empty_page() -> QWidget:
+    """Say what an exploration does, while there is none."""
+    page, column = empty_panel()
+    column.setContentsMargins(14, 14, 14, 14)
+    column.setSpacing(8)
+    text = label(EXPLAINED, "second")
+    text.setWordWrap(True)
+    text.setMaximumWidth(640)
+    column.addWidget(label(EMPTY, "heading"))
+    column.addWidget(text)
+    column.addStretch(1)
+    return page
 
 
 def _row(kind: str, address: str, why: str, severity: str) -> ListRow:
