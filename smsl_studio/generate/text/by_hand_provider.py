@@ -12,6 +12,7 @@ from smsl_studio.generate.text.expert_text import read_text
 from smsl_studio.generate.text.functions import codes_of
 from smsl_studio.generate.text.prompts import FILES, HIM, PM, RMM
 from smsl_studio.generate.text.provider import StageAnswer, StageQuestion, Unanswered
+from smsl_studio.generate.text.step_keys import unread
 from smsl_studio.generate.text.step_numbers import numbered, without_sources
 from smsl_studio.generate.text.step_reader import read_steps
 from smsl_studio.smsl.files import save_document
@@ -44,6 +45,10 @@ class AnswerFolder:
         text = _text_at(path)
         if stage == PM:
             page = read_text(text.encode(), str(path))
+            for line in page.lines:
+                if why := unread(line.text):
+                    words = f"this line says nothing: {line.text.strip()[:100]}"
+                    raise ReadError(words, Place(str(path), line.number, 1), why)
             steps = numbered(without_sources(read_steps([page]), page.file))
             text = steps.model_dump_json(exclude_defaults=True)
         elif stage == HIM:
@@ -58,7 +63,7 @@ class AnswerFolder:
     def _codes(self, folder: Path, question: StageQuestion) -> str:
         names = sorted(one.name for one in folder.iterdir() if one.suffix == ".py")[:MOST_FILES]
         files = [(name, _text_at(folder / name)) for name in names]
-        return codes_of(files, question.matter.needed).model_dump_json()
+        return codes_of(files, question.matter.names).model_dump_json()
 
     def _ask(self, question: StageQuestion) -> None:
         self.folder.mkdir(parents=True, exist_ok=True)

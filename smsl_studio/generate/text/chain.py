@@ -89,6 +89,21 @@ def _offer(plugin: Plugin) -> PluginOffer:
     )
 
 
+def _useful(
+    blueprint: Blueprint, offers: Sequence[PluginOffer], loaded: Loaded
+) -> list[PluginOffer]:
+    """Return the plugins that do something of a blueprint. All of them if there is none."""
+    names = {(branch.name, edge.name) for branch in blueprint for edge in branch.edges()}
+    serving = {
+        plugin.name
+        for plugin in loaded.plugins
+        for entry in plugin.library.operations
+        if any(entry.texts(*name) is not None for name in names)
+    }
+    with_world = [one for one in offers if one.worlds]
+    return [one for one in with_world if one.plugin in serving] or with_world
+
+
 class _Chain:
     def __init__(self, matter: Matter, provider: StageProvider, loaded: Loaded) -> None:
         self._matter, self._provider, self._loaded = matter, provider, loaded
@@ -116,6 +131,10 @@ class _Chain:
     def _lack(self, error: Unanswered | GivenUp) -> None:
         if isinstance(error, Unanswered):
             self._reached.lacking.append((error.sentence, error.advice))
+        elif self._provider.by_file:
+            advice = f"Mend {FILES[error.stage]} in your folder, and call this again."
+            self._reached.lacking += [(str(error), ""), *((one, "") for one in error.faults[3:])]
+            self._reached.lacking.append((f"{len(error.faults)} findings in all", advice))
         else:
             advice = "The prompts and the answers lie in answers.json. Write this stage by hand."
             self._reached.lacking.append((str(error), advice))
@@ -177,15 +196,16 @@ class _Chain:
         needed = needed_functions(blueprint, self._loaded)
         if not needed:
             return
-        names = {operation: codes.file_name(operation) for operation in needed}
+        names = codes.file_names(needed)
         self._matter.needed, self._matter.names = needed, names
 
         def check(text: str) -> Functions:
             found = fitted(Functions, json_of(text))
             return _sound(found, codes.faults_of(found, needed))
 
-        found = self._asked(RMM, prompts.rmm_prompt(needed, names, by_file), check)
-        for name, text in function_files(found, needed, self._origin()):
+        offers = _useful(blueprint, self._matter.offers, self._loaded)
+        found = self._asked(RMM, prompts.rmm_prompt(needed, names, offers, by_file), check)
+        for name, text in function_files(found, needed, names, self._origin()):
             self._reached.files[f"{FILES[RMM]}/{name}"] = text
 
     def _origin(self) -> dict[str, Json]:

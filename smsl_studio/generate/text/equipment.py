@@ -8,12 +8,20 @@ import tomllib
 from collections.abc import Iterable, Iterator, Mapping
 from typing import Annotated, Any, Literal
 
-from pydantic import BaseModel, ConfigDict, Field
+from pydantic import BaseModel, BeforeValidator, ConfigDict, Field
 
 from smsl_studio.generate.text.steps import Short, Source, Words
 
 Json = Any
 _MOST = 400
+
+
+def _as_text(raw: Json) -> Json:
+    """Return the number of a step as a text: people also write ``[1, 2.1]``."""
+    return str(raw) if type(raw) in (int, float) else raw
+
+
+_StepNumber = Annotated[Words, BeforeValidator(_as_text)]
 
 
 class _PartOfEquipment(BaseModel):
@@ -34,7 +42,7 @@ class Need(_PartOfEquipment):
 
     name: Words
     kind: Literal["device", "sensor"] = "device"
-    steps: Annotated[tuple[Words, ...], Field(max_length=_MOST)] = ()
+    steps: Annotated[tuple[_StepNumber, ...], Field(max_length=_MOST)] = ()
     met_by: Short = ""
     sources: Annotated[tuple[Source, ...], Field(max_length=10)] = ()
 

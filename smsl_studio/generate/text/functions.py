@@ -9,22 +9,27 @@ from __future__ import annotations
 import ast
 import json
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
 from typing import Annotated, Any
 
 from pydantic import BaseModel, ConfigDict, Field, StringConstraints
 
+from smsl_studio.blueprint.annotations import FactNote
 from smsl_studio.blueprint.configuration import Hierarchy
 from smsl_studio.blueprint.continuum import HUMAN
 from smsl_studio.blueprint.edges import Edges
 from smsl_studio.blueprint.levels import Levels
-from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.generate.text.steps import Words
 from smsl_studio.library.loaded import Loaded
 
 Json = Any
 LONGEST_CODE = 20_000
 """The largest number of characters of a function. A small motion needs far less."""
+LONGEST_STEM = 150
+MOST_WAYS = 20
+"""A question tells so many edges of one operation."""
 
 
 class FunctionCode(BaseModel):
@@ -42,19 +47,69 @@ class Functions(BaseModel):
     functions: Annotated[tuple[FunctionCode, ...], Field(max_length=1000)] = ()
 
 
-def needed_functions(blueprint: Blueprint, loaded: Loaded) -> dict[str, str]:
-    """Return, by ``SB/Operation``, the titles of the operations without a function: no person does
-    them, no sub-SB, and no installed library."""
+@dataclass(frozen=True, slots=True)
+class NeededFunction:
+    """An operation that no library offers: its title, and the edges that it has to lead along."""
+
+    title: str
+    ways: tuple[str, ...] = ()
+    """At most ``MOST_WAYS``: ``State_aaa -> State_baa: disk 1 from a to b``."""
+
+
+def needed_functions(blueprint: Blueprint, loaded: Loaded) -> dict[str, NeededFunction]:
+    """Return, by ``SB/Operation``, the operations without a function: no person does them, no
+    sub-SB, and no installed library."""
     edges, levels = Edges(Hierarchy(blueprint)), Levels(blueprint)
-    found: dict[str, str] = {}
+    found: dict[str, NeededFunction] = {}
     for branch in blueprint:
         for state in branch.table:
             for edge in edges.out(branch.name, state):
                 name = f"{branch.name}/{edge.name}"
-                if name in found or not edge.function or levels.operation(edge.address) == HUMAN:
+                if not edge.function or levels.operation(edge.address) == HUMAN:
                     continue
-                if not is_offered(loaded, branch.name, edge.name):
-                    found[name] = branch.operation_note(state, edge.name).title
+                if name not in found:
+                    if is_offered(loaded, branch.name, edge.name):
+                        continue
+                    found[name] = NeededFunction(branch.operation_note(state, edge.name).title)
+                one = found[name]
+                if len(one.ways) < MOST_WAYS:
+                    way = _way(branch, state, edge.target)
+                    found[name] = replace(one, ways=(*one.ways, way))
+    return found
+
+
+def _way(branch: StateBranch, state: str, target: str) -> str:
+    """Return how an edge changes the facts of its SB, in words."""
+    if target not in branch.table:
+        return f"{state} -> {target}"
+    told = []
+    pairs = zip(branch.facts(state), branch.facts(target), strict=True)
+    for digit, (before, after) in enumerate(pairs):
+        if before != after:
+            note = branch.fact_note(digit)
+            name = (note.name if note else "") or f"fact {digit + 1}"
+            told.append(f"{name} from {_value(note, before)} to {_value(note, after)}")
+    return f"{state} -> {target}: {', '.join(told) or 'no fact changes'}"
+
+
+def _value(note: FactNote | None, value: str) -> str:
+    words = note.values.get(value, "") if note else ""
+    return f"{value} ({words})" if words and words != value else value
+
+
+def file_names(needed: Iterable[str]) -> dict[str, str]:
+    """Return, by operation, the name of its file, such as ``LEG.Op_Fix.py``. Names that differ by
+    case only count as equal."""
+    found: dict[str, str] = {}
+    taken: set[str] = set()
+    for operation in needed:
+        stem = re.sub(r"[^A-Za-z0-9_.-]", "_", operation.replace("/", ".", 1)).lstrip(".")
+        name, number = stem[:LONGEST_STEM], 1
+        while name.casefold() in taken:
+            number += 1
+            name = f"{stem[:LONGEST_STEM]}_{number}"
+        taken.add(name.casefold())
+        found[operation] = f"{name}.py"
     return found
 
 
@@ -67,7 +122,7 @@ def is_offered(loaded: Loaded, branch: str, operation: str) -> bool:
     )
 
 
-def faults_of(functions: Functions, needed: Mapping[str, str]) -> list[str]:
+def faults_of(functions: Functions, needed: Mapping[str, NeededFunction]) -> list[str]:
     """Return what is wrong with functions. Their code is parsed and never run."""
     found = []
     for one in functions.functions:
@@ -86,19 +141,17 @@ def faults_of(functions: Functions, needed: Mapping[str, str]) -> list[str]:
 
 
 def function_files(
-    functions: Functions, needed: Mapping[str, str], origin: Mapping[str, Json]
+    functions: Functions,
+    needed: Mapping[str, NeededFunction],
+    names: Mapping[str, str],
+    origin: Mapping[str, Json],
 ) -> Iterator[tuple[str, str]]:
     """Yield the name and the text of each file: the code of an answer, or a skeleton."""
     given = {one.operation: one.code for one in functions.functions if one.code}
-    for operation, title in needed.items():
+    for operation, one in needed.items():
         code = given.get(operation, "")
-        text = code if code else _skeleton(operation, title)
-        yield file_name(operation), _with_origin(text, operation, origin, bool(code))
-
-
-def file_name(operation: str) -> str:
-    """Return the name of the file of an operation, such as ``LEG.Op_Fix.py``."""
-    return re.sub(r"[^A-Za-z0-9_.-]", "_", operation.replace("/", ".", 1)) + ".py"
+        text = code if code else _skeleton(operation, one.title)
+        yield names[operation], _with_origin(text, operation, origin, bool(code))
 
 
 def function_name(operation: str) -> str:
@@ -128,10 +181,10 @@ def _with_origin(text: str, operation: str, origin: Mapping[str, Json], is_answe
     return "\n".join(head) + "\n" + text.rstrip("\n") + "\n"
 
 
-def codes_of(files: Sequence[tuple[str, str]], needed: Mapping[str, str]) -> Functions:
-    """Return the functions that people have put into files. A file that belongs to no operation is
-    left out."""
-    by_name = {file_name(operation): operation for operation in needed}
+def codes_of(files: Sequence[tuple[str, str]], names: Mapping[str, str]) -> Functions:
+    """Return the functions that people have put into files. ``names`` has the file of each
+    operation. A file that belongs to no operation is left out."""
+    by_name = {name: operation for operation, name in names.items()}
     return Functions(
         functions=tuple(
             FunctionCode(operation=by_name[name], code=text[:LONGEST_CODE])

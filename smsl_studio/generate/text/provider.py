@@ -8,6 +8,7 @@ from typing import Any, Protocol
 
 from smsl_studio.generate.text.equipment import NeededEquipment, PluginOffer
 from smsl_studio.generate.text.expert_text import ExpertText
+from smsl_studio.generate.text.functions import NeededFunction
 from smsl_studio.generate.text.steps import TextProcedure
 
 Json = Any
@@ -22,8 +23,8 @@ class Matter:
     offers: Sequence[PluginOffer] = ()
     procedure: TextProcedure | None = None
     equipment: NeededEquipment | None = None
-    needed: Mapping[str, str] = field(default_factory=dict)
-    """The operations without a function, with their titles."""
+    needed: Mapping[str, NeededFunction] = field(default_factory=dict)
+    """The operations without a function."""
     names: Mapping[str, str] = field(default_factory=dict)
     """The names of their files."""
 

@@ -14,7 +14,10 @@ KEYED = re.compile(
     re.IGNORECASE,
 )
 _GERMAN = {"wer": "who", "bis": "until", "wenn": "if", "quelle": "source"}
-_IF = re.compile(r"^(?P<when>.+?)\s*->\s*(?P<do>.+?)(?:\s*\[(?P<back>on|again|start|[\d.]+)\])?$")
+_IF = re.compile(
+    r"^(?P<when>.+?)\s*->\s*(?P<do>.+?)"
+    r"(?:\s*\[(?P<back>on|again|start|[\d.]+)(?:,\s*by\s+(?P<who>[^\]]+))?\])?$"
+)
 _SOURCE = re.compile(
     r"^(?P<file>[^,]+?),\s*(?:page\s+(?P<page>\d{1,5}),\s*)?line\s+(?P<line>\d{1,6})\s*:\s*[“\"](?P<words>.+)[”\"]$"
 )
@@ -47,25 +50,48 @@ def keyed_step(step: TextStep, lines: Sequence[str]) -> TextStep:
     return step.model_copy(update=said)
 
 
+def source_of(text: str) -> Source | None:
+    """Return what a line says behind ``source:``. None if it does not read."""
+    found = _SOURCE.match(text.strip())
+    if found is None or int(found["line"]) < 1:
+        return None
+    file, words, page = found["file"][:300], found["words"][:300], int(found["page"] or 0)
+    return Source(file=file, line=int(found["line"]), words=words, page=page)
+
+
+def unread(line: str) -> str:
+    """Return why a line that begins with a key says nothing. Empty for any other line."""
+    found = KEYED.match(re.sub(r"^\s*[-*+]\s+", "", line).strip())
+    if found is None:
+        return ""
+    key, text = found["key"].lower(), found["said"].strip()
+    key = _GERMAN.get(key, key)
+    if key == "source" and source_of(text) is None:
+        return 'write it as: source: protocol.md, line 12: "the quoted words"'
+    if key == "if" and not _remedies(text):
+        return "write it as: if: what is wrong -> what is done then [again]"
+    if key in ("takes", "within") and sentences.seconds(text) is None:
+        return "write a time, such as 20 s"
+    if key == "risk" and not risk_of(text):
+        return "write low, medium or high"
+    return ""
+
+
 def _remedies(text: str) -> list[Remedy]:
     found = _IF.match(text)
     if found is None:
         return []
     back = found["back"] or "again"
     back = back if back in ("on", "again", "start") else mark_of(back) or "again"
-    return [Remedy(when=found["when"][:200], do=found["do"][:200], back=back)]
+    who = sentences.role(found["who"] or "")[:200]
+    return [Remedy(when=found["when"][:200], do=found["do"][:200], back=back, who=who)]
 
 
 def _cite(said: dict[str, Any], text: str) -> None:
     """Take a source: it belongs to the step, or to the condition in the line before it."""
-    found = _SOURCE.match(text)
-    if found is None:
+    source = source_of(text)
+    if source is None:
         return
-    page = int(found["page"] or 0)
-    line, words = int(found["line"]), found["words"][:300]
-    if line < 1:
-        return
-    source = Source(file=found["file"][:300], line=line, words=words, page=page)
     if said.get("remedies"):
         last = said["remedies"][-1]
         said["remedies"][-1] = last.model_copy(update={"sources": (*last.sources, source)})

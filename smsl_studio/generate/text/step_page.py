@@ -53,7 +53,8 @@ def _said(step: TextStep) -> Iterator[tuple[str, str]]:
 
 
 def _remedy(remedy: Remedy) -> str:
-    return f"{remedy.when} -> {remedy.do} [{remedy.back}]"
+    by = f", by {remedy.who}" if remedy.who else ""
+    return f"{remedy.when} -> {remedy.do} [{remedy.back}{by}]"
 
 
 def _source(source: Source, indent: str) -> str:

@@ -25,7 +25,7 @@ from smsl_studio.generate.text.outline import (
     TextPart,
     outline_of,
 )
-from smsl_studio.generate.text.step_keys import KEYED, keyed_step
+from smsl_studio.generate.text.step_keys import KEYED, keyed_step, source_of
 from smsl_studio.generate.text.steps import (
     Caution,
     Remedy,
@@ -326,7 +326,9 @@ def _cautions(part: TextPart) -> Iterator[Caution]:
         for sentence in sentences.sentences_of(one.text):
             if words.CAUTION.match(sentence.text):
                 cite = one.cite(sentence.start, sentence.end)
-                yield Caution(words=_cut(sentence.text), sources=_sources(cite))
+                found = [source_of(below.text.partition(":")[2]) for below in one.below]
+                given = tuple(source for source in found if source is not None)
+                yield Caution(words=_cut(sentence.text), sources=given or _sources(cite))
         yield from _cautions(one)
 
 
