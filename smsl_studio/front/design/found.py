@@ -1,0 +1,237 @@
+"""What lies beside a blueprint and tells of its design cycle: texts, the files of the chain, code,
+runs, campaigns. All of it comes from outside, so sizes and numbers are bounded, and what cannot be
+read is passed over with its reason."""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import suppress
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Annotated, Any, TypeVar
+
+from pydantic import BaseModel, ConfigDict, Field, ValidationError
+
+from smsl_studio.errors import StudioError
+from smsl_studio.generate.code.templates import BY
+from smsl_studio.generate.text.answers import AnswerFault, fitted
+from smsl_studio.generate.text.chain import KEPT
+from smsl_studio.generate.text.equipment import NeededEquipment, read_equipment_page
+from smsl_studio.generate.text.expert_text import ExpertText, text_at
+from smsl_studio.generate.text.prompts import FILES, HIM, RMM
+from smsl_studio.smsl.inputs import read_ordinary
+from smsl_studio.stop import heed
+
+Json = Any
+Got = TypeVar("Got")
+MOST_FILES = 200
+"""So many files or folders beside the blueprint are looked at."""
+LARGEST = 16 << 20
+LONGEST_HEAD, LONGEST_END = 1 << 20, 4096
+"""A log is read at its head and at its end only (bytes)."""
+_CODE_HEAD = 4096
+_CLOSURE = re.compile(r'(?:CLOSURE|closure_digest) = "([0-9a-f]{64})"')
+
+
+@dataclass(frozen=True)
+class TextBeside:
+    """A text of the consultation, by its name. Without ``text``, ``lacks`` says why."""
+
+    name: str
+    path: Path | None = None
+    text: ExpertText | None = None
+    lacks: str = ""
+
+
+@dataclass(frozen=True)
+class CodeBeside:
+    """A program that was made of a blueprint: its folder, the digest of that, its files."""
+
+    folder: Path
+    closure: str
+    files: int
+
+
+@dataclass(frozen=True)
+class RunBeside:
+    """The log of a run: its file, the digest of its blueprint, the world, how it ended."""
+
+    file: Path
+    closure: str
+    world: str
+    outcome: str
+
+
+@dataclass(frozen=True)
+class CampaignBeside:
+    """The result of a campaign, which does not say for which version it was."""
+
+    file: Path
+    runs: int
+    reached: int
+    digest: str
+
+
+class DigestedText(BaseModel):
+    """A text of which answers were made."""
+
+    model_config = ConfigDict(extra="ignore", frozen=True)
+    file: Annotated[str, Field(max_length=300)]
+    digest: Annotated[str, Field(pattern=r"^[0-9a-f]{64}$")]
+
+
+class _KeptAnswer(BaseModel):
+    model_config = ConfigDict(extra="ignore", frozen=True)
+    stage: Annotated[str, Field(max_length=20)]
+    model: Annotated[str, Field(max_length=300)]
+
+
+class KeptHead(BaseModel):
+    """Of ``answers.json``: the texts with their digests, and who answered at which stage."""
+
+    model_config = ConfigDict(extra="ignore", frozen=True)
+    texts: Annotated[tuple[DigestedText, ...], Field(max_length=1000)] = ()
+    hardware: Annotated[tuple[DigestedText, ...], Field(max_length=1000)] = ()
+    answers: Annotated[tuple[_KeptAnswer, ...], Field(max_length=1000)] = ()
+
+
+class KeptVerdict(BaseModel):
+    """The verdict of a requirement, as ``requirements.json`` has it."""
+
+    model_config = ConfigDict(extra="ignore", frozen=True)
+    kind: Annotated[str, Field(max_length=100)]
+    name: Annotated[str, Field(max_length=1000)]
+    verdict: Annotated[str, Field(max_length=100)]
+    reason: Annotated[str, Field(max_length=10_000)] = ""
+
+
+class _Verdicts(BaseModel):
+    listed: Annotated[tuple[KeptVerdict, ...], Field(max_length=10_000)]
+
+
+def found_texts(
+    names: Sequence[str], known: Sequence[Path], folder: Path
+) -> tuple[TextBeside, ...]:
+    """Return the texts of these names: where the notes say, else in the folder of the blueprint.
+    Further known files come behind them."""
+    by_name = {one.name: one for one in known}
+    wanted = list(dict.fromkeys((*names, *by_name)))[:MOST_FILES]
+    return tuple(_text(name, by_name.get(name, folder / Path(name).name)) for name in wanted)
+
+
+def _text(name: str, path: Path) -> TextBeside:
+    heed()
+    try:
+        return TextBeside(name, path, text_at(path))
+    except StudioError as error:
+        if not path.exists():
+            return TextBeside(name, None, None, f"{name} is not here")
+        return TextBeside(name, path, None, f"{name}: {error.sentence}")
+
+
+def kept_head(folder: Path) -> KeptHead | None:
+    """Return what ``answers.json`` says; None if there is none that can be read."""
+    return _read(folder / KEPT, lambda raw: KeptHead.model_validate_json(raw))
+
+
+def needed_equipment(folder: Path) -> NeededEquipment | None:
+    """Return what ``him.toml`` says; None if there is none that can be read."""
+
+    def read(raw: bytes) -> NeededEquipment:
+        return fitted(NeededEquipment, read_equipment_page(raw.decode("utf-8-sig")))
+
+    return _read(folder / FILES[HIM], read)
+
+
+def kept_verdicts(folder: Path) -> tuple[KeptVerdict, ...]:
+    """Return the verdicts of ``requirements.json``."""
+
+    def read(raw: bytes) -> tuple[KeptVerdict, ...]:
+        return _Verdicts.model_validate({"listed": json.loads(raw)}).listed
+
+    return _read(folder / "requirements.json", read) or ()
+
+
+def unread_functions(folder: Path) -> int:
+    """Return the number of functions in ``rmm/``, which is not loaded."""
+    return sum(1 for one in _inside(folder / FILES[RMM]) if one.suffix == ".py")
+
+
+def found_codes(folder: Path) -> Iterator[CodeBeside]:
+    """Yield the programs in folders of ``folder``, as ``generate code`` writes them."""
+    for place in _inside(folder):
+        for package in _inside(place):
+            for name in ("blueprint.py", "blueprint.cpp"):
+                head = _head(package / name, _CODE_HEAD)
+                said = _CLOSURE.search(head)
+                if said is not None and BY in head:
+                    files = sum(1 for one in package.rglob("*") if one.suffix in _CODE)
+                    yield CodeBeside(place, said[1], files)
+
+
+_CODE = (".py", ".cpp", ".hpp")
+
+
+def found_runs(folder: Path) -> Iterator[RunBeside]:
+    """Yield the logs of runs in a folder."""
+    for path in _inside(folder):
+        if path.suffix != ".jsonl":
+            continue
+        with suppress(OSError, ValueError, KeyError, TypeError, RecursionError):
+            first = json.loads(_head(path, LONGEST_HEAD).partition("\n")[0])
+            if first["log"] == "smsl-run":
+                world, closure = str(first["world"])[:100], str(first["digests"]["closure"])
+                yield RunBeside(path, closure, world, _outcome(path))
+
+
+def _outcome(path: Path) -> str:
+    """Return how a run ended, ``goal_reached`` for example; empty if it did not end."""
+    with path.open("rb") as file:
+        file.seek(0, 2)
+        file.seek(max(0, file.tell() - LONGEST_END))
+        end = file.read(LONGEST_END).decode("utf-8", "replace")
+    found = re.findall(r'"event":"run_finished"[^\n]*?"reason":"([a-z_]{1,40})"', end)
+    return found[-1] if found else ""
+
+
+def found_campaigns(folder: Path) -> Iterator[CampaignBeside]:
+    """Yield the results of campaigns in a folder."""
+    for path in _inside(folder):
+        if path.suffix != ".json" or '"runs"' not in _head(path, 100):
+            continue
+
+        def read(raw: bytes, path: Path = path) -> CampaignBeside:
+            values = json.loads(raw)
+            runs, reached = int(values["runs"]), int(values["reached"])
+            return CampaignBeside(path, runs, reached, str(values["digest"])[:64])
+
+        found = _read(path, read)
+        if found is not None:
+            yield found
+
+
+def _inside(folder: Path) -> list[Path]:
+    heed()
+    try:
+        return sorted(folder.iterdir())[:MOST_FILES] if folder.is_dir() else []
+    except OSError:
+        return []
+
+
+def _head(path: Path, most: int) -> str:
+    try:
+        return read_ordinary(path, most).raw[:most].decode("utf-8", "replace")
+    except (OSError, ValueError):
+        return ""
+
+
+def _read(path: Path, how: Callable[[bytes], Got]) -> Got | None:
+    try:
+        raw = read_ordinary(path, LARGEST).raw
+        return how(raw) if len(raw) <= LARGEST else None
+    except (
+        OSError, ValueError, KeyError, TypeError, RecursionError, AnswerFault, ValidationError
+    ):  # fmt: skip
+        return None
