@@ -11,6 +11,8 @@ from PySide6.QtWidgets import QPlainTextEdit
 
 from smsl_studio.blueprint import editing
 from smsl_studio.blueprint.address import Address
+from smsl_studio.front.approval_badge import GENERATED
+from smsl_studio.studio.features.approval.badge import ApprovalBadge
 from smsl_studio.studio.features.rules import feature as rules_feature
 from smsl_studio.studio.features.rules.page import RulesPage
 from tests.stories.conftest import Sit
@@ -125,6 +127,15 @@ def test_the_rules_become_a_drawing_that_nobody_has_inspected(at: AtRules) -> No
     assert at.person.blueprint.fields["_origin"]["how"] == "rules"
     assert window.files.path is None
     assert "Nobody has inspected it" in window.toast.words
+
+
+def test_what_rules_without_a_file_give_has_the_badge_of_quarantine(sit: Sit) -> None:
+    at = AtRules(sit())
+    at.person.click(at.page.side.write)
+    window = at.person.window
+    (badge,) = window.menu_row.findChildren(ApprovalBadge)
+    assert (window.files.path, badge.isVisible()) == (None, True)
+    assert badge.said.words == GENERATED
 
 
 def test_differences_to_the_drawing_are_taken_refused_and_undone(at: AtRules) -> None:

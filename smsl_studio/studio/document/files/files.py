@@ -13,6 +13,7 @@ from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.blueprint.project import real_path
 from smsl_studio.blueprint.revision import revised
 from smsl_studio.errors import SaveError, StudioError
+from smsl_studio.front.approval_badge import is_generated
 from smsl_studio.smsl.document import Document
 from smsl_studio.smsl.forms import SUFFIXES
 from smsl_studio.smsl.traits import losses
@@ -78,8 +79,10 @@ class Files(QObject):
 
     @property
     def is_draft(self) -> bool:
-        """Whether this is a new drawing that was never saved, or nothing at all."""
-        return self.path is None and self._name == UNTITLED
+        """Whether this is a new drawing that was never saved, or nothing at all. What was
+        generated is no draft: it is whole, and in quarantine."""
+        new = self.path is None and self._name == UNTITLED
+        return new and not is_generated(self._session.blueprint)
 
     @property
     def texts(self) -> dict[str, str]:

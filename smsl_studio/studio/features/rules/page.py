@@ -70,7 +70,8 @@ class RulesPage(QWidget):
         self._file, self._caret = Elided(), label("", "second")
         self.sum, self.change = Elided(), Elided()
         self.opening = self._tool("Open…", "Open a file of rules", self.open_wanted)
-        self.saving = self._tool("Save rules", "Save the rules into their file", self.save_wanted)
+        self.saving = self._tool("Save", "Save the rules into their file", self.save_wanted)
+        self.saving.setAccessibleName("Save rules")
         self.learning = self._tool(
             "Complete from examples", "Write the rules that most of the drawing follows, and "
             "suggest what is missing or odd (Ctrl+Z brings the text back)",
