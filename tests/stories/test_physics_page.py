@@ -36,6 +36,14 @@ def at_physics(sit: Sit, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> AtP
     return sat
 
 
+def test_the_world_in_which_the_drawing_can_run_is_offered_first(sit: Sit) -> None:
+    person = sit(SAMPLES / "hanoi.json")
+    person.window.actions_table["physics_page"].trigger()
+    page = person.window.features.physics.part()
+    person.until(lambda: page.world.currentText() == "hanoi")
+    assert page.world.itemText(0) == "chess"
+
+
 def test_the_graph_grows_is_paused_goes_on_and_is_kept(at_physics: AtPhysics) -> None:
     person, page = at_physics()
     work = person.window.features.physics.work

@@ -21,6 +21,8 @@ if TYPE_CHECKING:
     from smsl_studio.studio.features.physics.work import PhysicsWork
 
 PAGE = "physics"
+MOST_BOUND = 5_000
+"""For a drawing with more operations nobody looks in which world they have functions."""
 
 
 class PhysicsFeature(Feature):
@@ -31,6 +33,7 @@ class PhysicsFeature(Feature):
         self._parts, self._shell, self._inner = parts, shell, inner
         self._tokens = parts.tokens
         self._worlds: tuple[str, ...] = ()
+        self._loaded: Loaded | None = None
         self.work: PhysicsWork | None = None
         self.part: LatePart[PhysicsPage] = LatePart(self._make)
         self.mode_pages = (ModePage(PAGE, "Physics", self._page),)
@@ -48,14 +51,17 @@ class PhysicsFeature(Feature):
         """Show the page."""
         if not self._parts.files.is_open:
             self._parts.files.new()
+        self._offer_suitable(self.part())
         self._shell.show_page(PAGE, 0)
         self._shell.set_mode(PAGE)
 
     def set_plugins(self, loaded: Loaded, known: bool) -> None:
         """Offer the worlds that have operations."""
         self._worlds = tuple(name for name in loaded.worlds if name != TABLE) if known else ()
+        self._loaded = loaded if known else None
         if self.part.made is not None:
             self.part.made.show_worlds(self._worlds)
+            self._offer_suitable(self.part.made)
 
     def set_tokens(self, tokens: Tokens) -> None:
         """Use the colours of another theme."""
@@ -83,6 +89,15 @@ class PhysicsFeature(Feature):
         page.keep_wanted.connect(self._keep)
         self.work.refused.connect(self._parts.toast.refuse)
         return page
+
+    def _offer_suitable(self, page: PhysicsPage) -> None:
+        """Choose the world in which the drawing can run, if there is one."""
+        from smsl_studio.front.suitable_worlds import worlds_for
+
+        drawn = self._parts.session.blueprint
+        if self._loaded is not None and drawn.operation_count <= MOST_BOUND:
+            first, *_ = worlds_for(drawn, loaded=self._loaded)
+            page.offer(first)
 
     def _turn(self) -> None:
         """Begin, pause, or go on."""

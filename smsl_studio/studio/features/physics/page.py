@@ -121,6 +121,11 @@ class PhysicsPage(QWidget):
         self.world.setCurrentText(chosen)
         self.refresh()
 
+    def offer(self, world: str) -> None:
+        """Choose a world, while nothing is explored."""
+        if self._work.phase == NONE and self.world.findText(world) >= 0:
+            self.world.setCurrentText(world)
+
     def refresh(self) -> None:
         """Show what the exploration has found so far."""
         work = self._work
