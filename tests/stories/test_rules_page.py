@@ -195,6 +195,8 @@ def test_the_rules_of_a_drawing_are_learnt(sit: Sit) -> None:
     kinds = {one.partition(":")[0].split(maxsplit=1)[1] for one in at.differences()}
     assert kinds == {"Missing", "Odd"}, "the misprints of the paper"
     assert at.summed.startswith("27 states, 78 operations")
+    at.until_followed()
+    assert at.page.change.text() == "", "another text is no change of the text before"
 
 
 def test_unsaved_rules_come_back_with_the_next_window(sit: Sit, tmp_path: Path) -> None:

@@ -138,6 +138,7 @@ class RulesFeature(Feature):
         except StudioError as error:
             self._parts.toast.refuse(error)
             return
+        page.begin_anew()
         page.text.setPlainText(text)
         page.follow()
         if kept:
@@ -186,6 +187,7 @@ class RulesFeature(Feature):
         if isinstance(came, StudioError):
             self._parts.toast.refuse(came)
             return
+        page.begin_anew()
         page.text.replace_all(came.text)
         odd = len(came.exceptions)
         more = f" {counted(odd, 'suggestion')} at the right side." if odd else ""

@@ -135,6 +135,10 @@ class RulesPage(QWidget):
         self._file.setText(f"{self.file.name}, not saved" if edited else self.file.name)
         self.saving.setEnabled(edited)
 
+    def begin_anew(self) -> None:
+        """Take the next text as another one: it is no change of the text before."""
+        self.answer = self._shown = None
+
     def follow(self) -> None:
         """Follow the rules as they are written now."""
         self.keep()
