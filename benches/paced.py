@@ -1,10 +1,11 @@
 """Forecasts beside a run at the speed of real time: ticks that begin late, stops, and the trace.
 
 A run of Hanoi in physics is paced as the window does it, each tick at its time of the wall clock,
-once alone and once with a twin in another thread that forecasts each operation before it begins, in
-a process of low priority, over and over: that is harder than what the window does, which forecasts
-each of them once. A tick is late if it begins more than 10 ms after its time. The pairs are
-run in turn, because a machine changes its speed. Times are wall time: measure on a quiet machine.
+once alone and once with a twin that forecasts each operation before it begins, in a process of low
+priority, over and over: that is harder than what the window does, which forecasts each of them
+once. As there, a thread of this program asks for the forecasts and hears how far they are. A tick
+is late if it begins more than 10 ms after its time. The pairs are run in turn, because a machine
+changes its speed. Times are wall time: measure on a quiet machine.
 
 The commands of the bench ``reaction`` are then given while a twin forecasts all the time. Last, the
 events of a run with forecasts are compared with those of a run without, but for ``forecast``.
@@ -25,7 +26,7 @@ from smsl_studio.blueprint.address import Address
 from smsl_studio.front.inputs import read
 from smsl_studio.front.request import RunRequest
 from smsl_studio.front.runs import open_request
-from smsl_studio.front.twin import Twin
+from smsl_studio.front.twin_process import TwinProcess
 from smsl_studio.runlog.events import ForecastTold
 from smsl_studio.shipped import samples_dir
 from smsl_studio.stop import Stopped, heeding
@@ -128,7 +129,7 @@ def _foreseeing(on: bool = True) -> Iterator[SimpleQueue[Asked]]:
 
 def _forecast(queue: SimpleQueue[Asked], over: threading.Event) -> None:
     request = RunRequest(read(samples_dir() / FILE), WORLD, host="process")
-    twin = Twin(request, gentle=True)
+    twin = TwinProcess(request)
 
     def heed() -> None:
         """Stop a forecast when nobody wants it any more."""
@@ -143,7 +144,7 @@ def _forecast(queue: SimpleQueue[Asked], over: threading.Event) -> None:
                 if asked is None:
                     time.sleep(0.01)
                 else:
-                    twin.predict(*asked)
+                    twin.predict(*asked, lambda _, poses: None)
     except Stopped:
         pass
     finally:

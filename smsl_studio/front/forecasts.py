@@ -25,9 +25,10 @@ from smsl_studio.stop import heed
 Json = Any
 Facts = dict[str, str | None]
 """Values of facts by ``SB/digit``, with digits from 0. None is an unknown fact."""
-Watch = Callable[[float, tuple[float, ...]], None]
-"""Gets the simulated seconds since an operation began and the poses of the world (see
-``Host.poses``), after each step of a forecast."""
+Poses = Callable[[], tuple[float, ...]]
+Watch = Callable[[float, Poses], None]
+"""Gets the simulated seconds since an operation began, before its first step and after each one,
+and what tells the poses of the world then (see ``Host.poses``)."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -96,14 +97,17 @@ def carried(
     target = hierarchy.blueprint[edge.branch].table[edge.state][edge.operation]
     moved = step.after if isinstance(step, JointStep) else {edge.branch: target}
     dispatcher.ask(edge)
-    begun, events = dispatcher.time, list(dispatcher.tick())
+    begun = dispatcher.time
+    if watch is not None:
+        watch(0.0, host.poses)
+    events = list(dispatcher.tick())
     while dispatcher.phase == "running":
         heed()
         if watch is not None:
-            watch(dispatcher.time - begun, host.poses())
+            watch(dispatcher.time - begun, host.poses)
         events += dispatcher.tick()
     if watch is not None:
-        watch(dispatcher.time - begun, host.poses())
+        watch(dispatcher.time - begun, host.poses)
     done = any(isinstance(e, Committed) and str(edge) in e.operations for e in events)
     refused = next((e.reasons for e in events if isinstance(e, OperationRefused)), ())
     after = sensed_values(dispatcher.standing.scene)

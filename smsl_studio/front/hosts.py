@@ -21,6 +21,8 @@ from smsl_studio.library.loading import discover, refuse_hardware
 from smsl_studio.world.engines import REMOTE, TABLE
 
 if TYPE_CHECKING:
+    from smsl_studio.host.child import Recipe
+    from smsl_studio.host.process import ProcessHost
     from smsl_studio.host.spare import Spare
 
 
@@ -66,8 +68,17 @@ def _bare(
         local.choose(request.robot)
         local.carry(parts)
         return local
+    return _in_child(request, loaded, spare, parts)
+
+
+def _in_child(
+    request: RunRequest, loaded: Loaded | None, spare: Spare | None, parts: tuple[Blueprint, ...]
+) -> ProcessHost:
     from smsl_studio.host.process import ChildTerms, ProcessHost
 
+    blueprint, world, seed = request.blueprint, request.world, request.seed
+    trust = request.trust
+    may_move = trust is not None
     if loaded is not None:
         refuse_hardware(loaded, world, may_move)
     signed = trust.code if trust is not None else None
@@ -78,6 +89,12 @@ def _bare(
         only, signed=signed, bindings=file, hardware=may_move, parts=parts, robot=request.robot
     )
     return ProcessHost(blueprint, world, seed, request.plugin_paths, terms, spare)
+
+
+def recipe_of(request: RunRequest, loaded: Loaded | None = None) -> Recipe:
+    """Return what another process needs to build the world of a request. Its procedures are left
+    out. RunRefused if the world is hardware and the run has no approval."""
+    return _in_child(request, loaded, None, ()).recipe
 
 
 def _elsewhere(request: RunRequest, parts: tuple[Blueprint, ...]) -> Host:

@@ -190,7 +190,7 @@ def _may_be_hardware(request: RunRequest) -> bool:
 def _foresight(request: RunRequest, loaded: Loaded | None, levels: Levels) -> Foresight | None:
     if not (request.forecast or levels.forecasts):
         return None
-    from smsl_studio.front.twin import foresight_of
+    from smsl_studio.front.twin_process import foresight_of
 
     return foresight_of(request, loaded)
 

@@ -2,57 +2,47 @@
 
 The twin is built like the world of the run, with the same seed and robot, and begins each forecast
 anew in the configuration of the run. So it knows neither faults of the run's world nor how exactly
-things lie there: if it is wrong, that is told after the operation. It is a world of its own, and
-with ``host="process"`` a process of its own, so nothing in it touches the run.
+things lie there: if it is wrong, that is told after the operation.
+
+``Twin`` has its world in this process, as the run ``--host local`` has it. Every other run has its
+twin in a process of its own (see ``twin_process``).
 """
 
 from __future__ import annotations
 
-import os
-import sys
-from collections.abc import Iterator, Mapping
-from contextlib import contextmanager, suppress
+from collections.abc import Mapping
 from dataclasses import replace
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.configuration import Hierarchy
-from smsl_studio.blueprint.continuum import FORECAST_LEVELS
 from smsl_studio.blueprint.levels import Levels
 from smsl_studio.dispatch.dispatcher import Dispatcher
-from smsl_studio.dispatch.drive.foresight import ASKS, Foresight
-from smsl_studio.errors import HostError, StudioError, UsageError, WorldError, did_you_mean
+from smsl_studio.dispatch.drive.foresight import ASKS
+from smsl_studio.errors import HostError, StudioError, WorldError
 from smsl_studio.front.forecasts import Forecast, Watch, carried, terms_of
 from smsl_studio.front.hosts import known_world, make_host
 from smsl_studio.front.request import RunRequest
 from smsl_studio.host.protocol import Host
 from smsl_studio.library.loaded import Loaded
 from smsl_studio.library.prediction import AGREES, DIFFERS, NONE, Prediction
+from smsl_studio.stop import Stopped
 from smsl_studio.world.engines import REMOTE, TABLE
 
-LOW = 10
-"""The priority (nice) of a gentle twin."""
-TURN = 0.0005
-"""Seconds after which the thread of a gentle twin lets others of the program have the interpreter.
-With Python's own 5 ms, ticks of the run began late while a forecast was made beside it."""
-USUAL_TURN = sys.getswitchinterval()
 HARDWARE = "a world that is hardware"
 LIVES = 3
 """After so many lost worlds, no further one is built."""
 
 
 class Twin:
-    """Predicts operations of one run. The world is built at the first forecast.
+    """Predicts operations of one run. The world is built at the first forecast, in this process.
 
-    ``loaded`` are plugins that were found before (see ``make_host``). A ``gentle`` twin in a
-    process of its own has a low priority, and its thread lets the others go first often, so that
-    it takes no time from the run.
+    ``loaded`` are plugins that were found before (see ``make_host``).
     """
 
-    def __init__(
-        self, request: RunRequest, loaded: Loaded | None = None, gentle: bool = False
-    ) -> None:
-        self._gentle = gentle
-        self._request = replace(request, by_hand=True, attended=True, supervisor=None, agents=())
+    def __init__(self, request: RunRequest, loaded: Loaded | None = None) -> None:
+        self._request = replace(
+            request, by_hand=True, attended=True, supervisor=None, agents=(), host="local"
+        )
         self._hierarchy = Hierarchy(request.blueprint)
         self._loaded = loaded
         self._host: Host | None = None
@@ -66,22 +56,25 @@ class Twin:
     ) -> Prediction:
         """Carry out an operation from a configuration. A world that breaks gives no forecast.
 
-        ``watch`` gets the poses of the world on the way.
+        ``watch`` hears how far it is. Stopped if nobody waits any more; the
+        world is kept.
         """
         if self._lost >= LIVES:
             return Prediction(NONE, reason=self._why)
         try:
-            with _short_turns(self._gentle):
-                return self._tried(configuration, edge, watch)
+            return self._tried(configuration, edge, watch)
         except StudioError as error:
             self.close()
             self._lost, self._why = self._lost + 1, error.sentence
             return Prediction(NONE, reason=error.sentence)
+        except Stopped:
+            # It was heeded between two ticks, and the next forecast opens the world again.
+            raise
         except BaseException:
             self.close()
             raise
 
-    def onward(self, edge: Address) -> Prediction | None:
+    def onward(self, edge: Address, watch: Watch | None = None) -> Prediction | None:
         """Carry out an operation from where the last forecast ended. None if it is not at its
         source there: it was part of the step before, or the forecast has ended.
         """
@@ -89,11 +82,12 @@ class Twin:
         if there is None or there.standing.configuration.get(edge.branch) != edge.state:
             return None
         try:
-            with _short_turns(self._gentle):
-                return self._carried(there, edge)
+            return self._carried(there, edge, watch)
         except StudioError as error:
             self.close()
             return Prediction(NONE, reason=error.sentence)
+        except Stopped:
+            raise
         except BaseException:
             self.close()
             raise
@@ -109,21 +103,23 @@ class Twin:
     ) -> Prediction:
         self._there = None
         if self._host is None:
-            self._refuse_what_is_real()
+            try:
+                refuse_what_is_real(self._request, self._loaded)
+            except WorldError:
+                self._lost = LIVES
+                raise
             self._host = make_host(self._request, self._loaded)
         terms = terms_of(configuration, self._request.seed)
         blueprint = self._hierarchy.blueprint
         levels = Levels(blueprint, self._request.levels)
         dispatcher = Dispatcher(blueprint, self._host, terms, levels=levels)
         dispatcher.open()
-        if self._gentle:
-            _yield_to_others(self._host)
         if dispatcher.finished:
             return Prediction(NONE, reason=dispatcher.standing.sentence)
         return self._carried(dispatcher, edge, watch)
 
     def _carried(
-        self, dispatcher: Dispatcher, edge: Address, watch: Watch | None = None
+        self, dispatcher: Dispatcher, edge: Address, watch: Watch | None
     ) -> Prediction:
         assert self._host is not None, "the world of the dispatcher is open"
         self._there = None
@@ -137,16 +133,16 @@ class Twin:
             self._there = dispatcher
         return told
 
-    def _refuse_what_is_real(self) -> None:
-        """Raise WorldError for a world that cannot be there twice: a forecast would move it."""
-        world, paths = self._request.world, self._request.plugin_paths
-        loaded = self._loaded
-        if world not in (REMOTE, TABLE) and loaded is None:
-            loaded = known_world(world, paths, "process")
-        if not may_be_tried(world, loaded):
-            self._lost = LIVES
-            what = "a program that is somewhere else" if world == REMOTE else HARDWARE
-            raise WorldError(f"{what} cannot be tried beforehand")
+
+def refuse_what_is_real(request: RunRequest, loaded: Loaded | None) -> None:
+    """Raise WorldError for a world that cannot be there twice: a forecast would move it. No code of
+    plugins runs for this."""
+    world = request.world
+    if world not in (REMOTE, TABLE) and loaded is None:
+        loaded = known_world(world, request.plugin_paths, "process")
+    if not may_be_tried(world, loaded):
+        what = "a program that is somewhere else" if world == REMOTE else HARDWARE
+        raise WorldError(f"{what} cannot be tried beforehand")
 
 
 def may_be_tried(world: str, loaded: Loaded | None) -> bool:
@@ -156,35 +152,6 @@ def may_be_tried(world: str, loaded: Loaded | None) -> bool:
     if world in (REMOTE, TABLE) or loaded is None or world not in loaded.worlds:
         return world != REMOTE
     return not loaded.world(world)[1].hardware
-
-
-@contextmanager
-def _short_turns(gentle: bool) -> Iterator[None]:
-    """Let the threads of this program take shorter turns for a while, if ``gentle``."""
-    if gentle:
-        sys.setswitchinterval(TURN)
-    try:
-        yield
-    finally:
-        sys.setswitchinterval(USUAL_TURN)
-
-
-def _yield_to_others(host: Host) -> None:
-    """Give the process of a host a low priority, if it has one."""
-    pid = getattr(host, "pid", None)
-    if isinstance(pid, int):
-        with suppress(OSError):  # it may have ended, or the system has no priorities
-            os.setpriority(os.PRIO_PROCESS, pid, LOW)
-
-
-def foresight_of(request: RunRequest, loaded: Loaded | None) -> Foresight:
-    """Return the forecasts of a run. UsageError for an unknown level. The empty level leaves it to
-    the blueprint."""
-    if request.forecast not in ("", *FORECAST_LEVELS):
-        near = did_you_mean(request.forecast, FORECAST_LEVELS)
-        near = near or f"There are {', '.join(FORECAST_LEVELS)}."
-        raise UsageError(f"there is no level of forecasts {request.forecast!r}", advice=near)
-    return Foresight(Twin(request, loaded), request.forecast)
 
 
 def _compared(found: Forecast) -> Prediction:

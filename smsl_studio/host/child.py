@@ -79,7 +79,7 @@ def main(pipe: int, beat: int) -> None:
     settle_in()
     confine(os.getppid())
     wire = ChildWire(socket.socket(fileno=pipe))
-    threading.Thread(target=_live_with_parent, args=(pipe, beat), daemon=True).start()
+    threading.Thread(target=live_with_parent, args=(pipe, beat), daemon=True).start()
     child, me = _Child(lambda name: wire.send("loads", LOADS.encode(name))), os.getpid()
     with contextlib.suppress(EOFError, OSError):  # the parent is gone
         while child.serving:
@@ -91,8 +91,22 @@ def main(pipe: int, beat: int) -> None:
     os._exit(0)
 
 
-def _read(documents: tuple[tuple[str, str, str], ...]) -> Blueprint:
+def read_documents(documents: tuple[tuple[str, str, str], ...]) -> Blueprint:
+    """Return the blueprint of the documents of a recipe."""
     return read_gathered([form_named(form).parse(text, file) for file, form, text in documents])
+
+
+def plugins_of(recipe: Recipe, loads: Callable[[str], None]) -> Loaded:
+    """Load the plugins of a recipe. ``loads`` gets the name of each before it is loaded, and an
+    empty one at the end. WorldError for a world that is hardware and not approved."""
+    loaded = Loaded()
+    if recipe.world != TABLE:
+        signed = None if recipe.signed is None else dict(recipe.signed)
+        paths = [Path(path) for path in recipe.plugin_paths]
+        loaded = discover(paths, recipe.only, lambda name, _: loads(name), signed)
+        loads("")
+    refuse_hardware(loaded, recipe.world, recipe.hardware)
+    return loaded
 
 
 class _Child:
@@ -134,14 +148,9 @@ class _Child:
         """Read the blueprint and build the world. If the build fails, ``open`` reports the
         fault."""
         limit_process(recipe.memory)
-        blueprint, *parts = map(_read, (recipe.documents, *recipe.parts))
+        blueprint, *parts = map(read_documents, (recipe.documents, *recipe.parts))
         paths = [Path(path) for path in recipe.plugin_paths]
-        loaded = Loaded()
-        if recipe.world != TABLE:
-            signed = None if recipe.signed is None else dict(recipe.signed)
-            loaded = discover(paths, recipe.only, lambda name, _: self._loads(name), signed)
-            self._loads("")
-        refuse_hardware(loaded, recipe.world, recipe.hardware)
+        loaded = plugins_of(recipe, self._loads)
         file = recipe.bindings
         self.host = LocalHost(blueprint, recipe.world, recipe.seed, paths, loaded, file)
         self.host.choose(recipe.robot)
@@ -202,7 +211,7 @@ def _plain(error: StudioError) -> StudioError:
     return plain
 
 
-def _live_with_parent(pipe: int, beat: int) -> None:
+def live_with_parent(pipe: int, beat: int) -> None:
     """Write a heartbeat while the parent lives; end the process at once when the parent is gone."""
     os.set_blocking(beat, False)
     parent = select.poll()

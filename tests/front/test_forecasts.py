@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import io
 import json
-import sys
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
@@ -23,6 +22,7 @@ from smsl_studio.front.runs import Run, open_request
 from smsl_studio.front.script.lines import read_script
 from smsl_studio.front.script.script import Script
 from smsl_studio.front.twin import Twin
+from smsl_studio.front.twin_process import TwinProcess
 from smsl_studio.generate.code.blueprint_parts import refuse_what_is_not_generated
 from smsl_studio.library.loading import discover
 from smsl_studio.runlog.events import (
@@ -38,7 +38,6 @@ from smsl_studio.runlog.events import (
 )
 from smsl_studio.runlog.regulation import AGREES, COMPARISONS, DIFFERS, FORECASTS, NONE
 from smsl_studio.shipped import samples_dir
-from smsl_studio.stop import heeding
 from tests.front.any_run import any_run
 from tests.plugin_folder import blueprint_of, write_plugin
 from tests.runlog.impossible import Story
@@ -421,24 +420,6 @@ def test_a_twin_goes_on_along_the_route_until_it_differs() -> None:
         twin.close()
 
 
-@pytest.mark.parametrize("gentle", [True, False])
-def test_beside_a_run_a_twin_lets_other_threads_have_short_turns(gentle: bool) -> None:
-    """Else ticks of the run begin late while it forecasts."""
-    usual, seen = sys.getswitchinterval(), set[bool]()
-    twin = Twin(RunRequest(read(SAMPLE), host="local"), gentle=gentle)
-
-    def heed() -> None:
-        seen.add(sys.getswitchinterval() < usual / 2)
-
-    try:
-        with heeding(heed):
-            assert twin.predict({"SB1": "State_aa"}, Address("SB1", "State_aa", "Op_1b"))
-    finally:
-        twin.close()
-    assert seen == {gentle}
-    assert sys.getswitchinterval() == usual
-
-
 HARDWARE = """
 from pathlib import Path
 
@@ -451,12 +432,15 @@ def register(library):
 
 
 @pytest.mark.parametrize("world", ["arm", "remote"])
+@pytest.mark.parametrize("make", [Twin, TwinProcess])
 @pytest.mark.parametrize("found", [False, True])
-def test_what_is_real_is_never_tried(tmp_path: Path, world: str, found: bool) -> None:
+def test_what_is_real_is_never_tried(
+    tmp_path: Path, world: str, make: type[Twin | TwinProcess], found: bool
+) -> None:
     """Also if the plugins were found before, or the run is approved for hardware."""
     place = write_plugin(tmp_path, "arm", HARDWARE)
-    request = RunRequest(blueprint_of(TABLE), world, host="local", plugin_paths=(place,))
-    twin = Twin(request, discover([place]) if found else None)
+    request = RunRequest(blueprint_of(TABLE), world, plugin_paths=(place,))
+    twin = make(request, discover([place]) if found else None)
     told = [twin.predict({"SB": "State_a"}, Address("SB", "State_a", "Go")) for _ in range(2)]
     twin.close()
     assert {one.verdict for one in told} == {"none"}

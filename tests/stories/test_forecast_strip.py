@@ -8,12 +8,9 @@ import pytest
 from PySide6.QtCore import Qt
 
 from smsl_studio.blueprint.address import Address
-from smsl_studio.front import hosts, twin
-from smsl_studio.front.forecasts import Watch
-from smsl_studio.front.request import RunRequest
-from smsl_studio.front.twin import Twin
-from smsl_studio.host.protocol import Host
-from smsl_studio.library.loaded import Loaded
+from smsl_studio.front import twin_process
+from smsl_studio.front.twin_process import TwinProcess, Watch
+from smsl_studio.host.started_child import Child, start_child
 from smsl_studio.library.prediction import DIFFERS, NONE, Prediction
 from smsl_studio.studio.features.supervise.forecast_strip import ForecastStrip
 from tests.stories.at_supervise import AtSupervise
@@ -60,12 +57,12 @@ def test_what_differs_and_what_has_no_forecast_is_said(
     asked: list[str] = []
 
     def predict(
-        _twin: Twin, _configuration: Mapping[str, str], edge: Address, _watch: Watch
+        _twin: TwinProcess, _configuration: Mapping[str, str], edge: Address, _watch: Watch
     ) -> Prediction:
         asked.append(edge.operation)
         return told
 
-    monkeypatch.setattr(Twin, "predict", predict)
+    monkeypatch.setattr(TwinProcess, "predict", predict)
     at = AtSupervise(sit(HANOI))
     at.start_paused()
     strip = said(at, f"Forecast of Op_2c: differs. Fact 2 will be x\n{reason}")
@@ -78,18 +75,17 @@ def test_what_differs_and_what_has_no_forecast_is_said(
     assert asked == ["Op_2c", "Op_2c"]
 
 
-def test_one_world_serves_a_run_and_is_given_up_with_it(
+def test_one_process_serves_a_run_and_is_given_up_with_it(
     sit: Sit, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """Another operation, or the page left and shown again, builds no other world."""
-    built: list[str] = []
-    usual = hosts.make_host
+    """Another operation, or the page left and shown again, starts no other one."""
+    started: list[Child] = []
 
-    def make_host(request: RunRequest, loaded: Loaded | None = None) -> Host:
-        built.append(request.world)
-        return usual(request, loaded)
+    def start(module: str) -> Child:
+        started.append(start_child(module))
+        return started[-1]
 
-    monkeypatch.setattr(twin, "make_host", make_host)
+    monkeypatch.setattr(twin_process, "start_child", start)
     at = AtSupervise(sit(HANOI))
     at.start_paused()
     said(at, "Forecast of Op_2c: agrees")
@@ -103,11 +99,13 @@ def test_one_world_serves_a_run_and_is_given_up_with_it(
     at.person.click(said(at, "Forecast of Op_2c: agrees").anew)
     said(at, "Forecast of Op_2c: looking")
     said(at, "Forecast of Op_2c: agrees")
-    assert built == ["table"]
+    (child,) = started
+    assert not child.dead
     at.person.ctrl(Key.Key_2)
     at.press(Key.Key_F5)
     at.person.qtbot.waitUntil(lambda: at.run.over)
     assert at.pane.forecaster.view is None
+    at.person.qtbot.waitUntil(lambda: child.dead)
 
 
 def test_the_route_is_forecast_onward_and_the_card_says_what_agrees(sit: Sit) -> None:

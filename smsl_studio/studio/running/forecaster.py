@@ -1,5 +1,5 @@
-"""Forecasts beside a run: an operation is tried in a twin of its world, in another thread and, in a
-world of plugins, in another process of low priority. The run never waits for it."""
+"""Forecasts beside a run: an operation is tried in a twin of its world, in another process of low
+priority. The run never waits for it."""
 
 from __future__ import annotations
 
@@ -20,7 +20,6 @@ from smsl_studio.runlog.events import Event, ForecastTold, RunStarted
 from smsl_studio.studio.base.beside import Beside
 from smsl_studio.studio.running.scene.ghost import EVERY
 from smsl_studio.studio.running.scene.kept_poses import KeptPoses
-from smsl_studio.world.engines import TABLE
 
 QUIET = 150
 """Milliseconds without a change before a forecast begins."""
@@ -72,13 +71,13 @@ class Forecaster(QObject):
 
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
-        from smsl_studio.front.twin import Twin
+        from smsl_studio.front.twin_process import TwinProcess
 
         self.view: ForecastView | None = None
         self.compared: list[ForecastTold] = []
         """What the run has told of its own forecasts."""
-        self._make = Twin
-        self._twin: Twin | None = None
+        self._make = TwinProcess
+        self._twin: TwinProcess | None = None
         self._request: RunRequest | None = None
         self._key: tuple[object, ...] | None = None
         self._wanted: tuple[Mapping[str, str], Address] | None = None
@@ -119,13 +118,14 @@ class Forecaster(QObject):
         if request is not self._request:
             self._leave()
             self._request = request
-            host = "local" if request.world == TABLE else "process"
-            self._twin = self._make(replace(request, host=host), loaded, gentle=True)
+            self._twin = self._make(request, loaded)
         self._key, self._wanted = key, (dict(status.configuration), edge)
         route = status.route
         self._route = route[route.index(edge) + 1 :][:PARTS] if edge in route else ()
         self.view = ForecastView(edge, sensed_values(status.scene))
         self._beside.drop()
+        if self._twin is not None:
+            self._beside.do(self._twin.begin, lambda _: None)
         self._quiet.start()
         self.changed.emit()
 
@@ -146,8 +146,12 @@ class Forecaster(QObject):
 
     def close(self) -> None:
         """Give everything up; no further result arrives."""
+        twin, self._twin = self._twin, None
         self._leave()
         self._beside.stop()
+        if twin is not None:
+            # Not in the thread that uses it, which takes no further task.
+            twin.close()
 
     def _tell_pace(self) -> None:
         """Tell how far the forecast is that is looked for."""
