@@ -118,9 +118,7 @@ class Twin:
             return Prediction(NONE, reason=dispatcher.standing.sentence)
         return self._carried(dispatcher, edge, watch)
 
-    def _carried(
-        self, dispatcher: Dispatcher, edge: Address, watch: Watch | None
-    ) -> Prediction:
+    def _carried(self, dispatcher: Dispatcher, edge: Address, watch: Watch | None) -> Prediction:
         assert self._host is not None, "the world of the dispatcher is open"
         self._there = None
         found = carried(self._hierarchy, self._host, dispatcher, edge, watch)

@@ -83,7 +83,7 @@ def main(pipe: int, beat: int) -> None:
     confine(os.getppid())
     wire = ChildWire(socket.socket(fileno=pipe))
     threading.Thread(target=live_with_parent, args=(pipe, beat), daemon=True).start()
-    child, me = _Child(wire), os.getpid()
+    child, me = _TwinVerbs(wire), os.getpid()
     signal.signal(CALL_OFF, child.call_off)
     with contextlib.suppress(EOFError, OSError):  # the parent is gone
         while True:
@@ -95,7 +95,7 @@ def main(pipe: int, beat: int) -> None:
     os._exit(0)
 
 
-class _Child:
+class _TwinVerbs:
     """The verbs of the child. ``prepare`` comes first."""
 
     def __init__(self, wire: ChildWire) -> None:
@@ -141,21 +141,21 @@ class _Child:
 
     def predict(self, configuration: Mapping[str, str], edge: Address, watched: bool) -> bytes:
         """Carry out an operation from a configuration. The poses are told if it is watched."""
-        telling = _Telling(self._wire, watched)
+        telling = _Progress(self._wire, watched)
         found = self._twin.predict(configuration, edge, telling.watch)
         telling.tell()
         return self._codec.encode(found)
 
     def onward(self, edge: Address) -> bytes:
         """Carry out an operation from where the last forecast ended."""
-        return self._codec.encode(self._twin.onward(edge, _Telling(self._wire, False).watch))
+        return self._codec.encode(self._twin.onward(edge, _Progress(self._wire, False).watch))
 
     def _heed(self) -> None:
         if self._called_off:
             raise Stopped
 
 
-class _Telling:
+class _Progress:
     """Tells now and then that a forecast goes on, from its first step on, and with ``poses`` the
     moments since then."""
 
