@@ -28,6 +28,7 @@ from smsl_studio.front.design.next_steps import next_steps
 from smsl_studio.front.design.notes import DesignNotes
 from smsl_studio.front.design.parts import MadePart, made_parts
 from smsl_studio.front.design.stages import WORDS, DesignStage, NextStep
+from smsl_studio.generate.text.equipment import NeededEquipment
 from smsl_studio.library.loaded import Loaded
 
 _MAKE: tuple[Callable[[DesignMatter], DesignStage], ...] = (
@@ -42,7 +43,8 @@ class DesignCycle:
 
     ``parts`` are states and operations with the words from which they were made. ``requirements``
     are the verdicts kept with the last generation. ``digests`` are those of what is there now, by
-    the names that notes use. ``fault`` says why notes beside the file were passed over.
+    the names that notes use, and ``generation`` is the blueprint as it was generated last.
+    ``fault`` says why notes beside the file were passed over.
     """
 
     stages: tuple[DesignStage, ...]
@@ -53,6 +55,9 @@ class DesignCycle:
     requirements: tuple[KeptVerdict, ...]
     notes: DesignNotes
     digests: dict[str, str]
+    check: CheckAnswer
+    approval: ApprovalWords
+    equipment: NeededEquipment | None = None
     generation: Blueprint | None = None
     fault: str = ""
 
@@ -93,6 +98,9 @@ def design_cycle(
         kept_verdicts(matter.folder),
         matter.notes,
         matter.digests,
+        result,
+        said,
+        matter.equipment,
         matter.generation,
         matter.fault,
     )

@@ -235,3 +235,18 @@ def _read(path: Path, how: Callable[[bytes], Got]) -> Got | None:
         OSError, ValueError, KeyError, TypeError, RecursionError, AnswerFault, ValidationError
     ):  # fmt: skip
         return None
+
+
+def stamps_of(path: Path | None, texts: Sequence[Path | None]) -> tuple[object, ...]:
+    """Return a value that changes when a file beside a blueprint, or a text, is written. Nothing is
+    read."""
+    beside = _inside(path.parent) if path is not None else []
+    found: list[object] = []
+    for one in (*beside, *texts):
+        if one is not None:
+            try:
+                seen = one.stat()
+            except OSError:
+                continue
+            found.append((one, seen.st_mtime_ns, seen.st_size))
+    return tuple(found)

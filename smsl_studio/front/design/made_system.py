@@ -93,14 +93,14 @@ def _bound(matter: DesignMatter) -> tuple[StageVerdict, str]:
     bound = sum(len(one.operations) for one in bindings.worlds.values())
     if equipment is not None:
         missing, needs = equipment.missing, len(equipment.needs)
-        words = f"{needs - len(missing)} of {needs} needs met"
+        words = f"{needs - len(missing)} of {needs} met"
         if missing:
             return StageVerdict(words, BAD), f"{missing[0]} is missing"
     else:
         words = f"{counted(bound, 'operation')} bound" if bound else "Levels are set"
     bare = needed_functions(matter.blueprint, matter.loaded) if matter.loaded is not None else {}
     if bare and not bound:
-        return StageVerdict(f"{words}, {len(bare)} simulated only", UNKNOWN), ""
+        return StageVerdict(f"{words}, {len(bare)} simulated", UNKNOWN), ""
     return StageVerdict(words, GOOD), ""
 
 

@@ -61,7 +61,7 @@ def _branches(stage: DesignStage, matter: DesignMatter) -> Iterator[NextStep]:
 
 def _whole(stage: DesignStage, matter: DesignMatter) -> Iterator[NextStep]:
     errors = matter.check.of(Severity.ERROR)
-    if errors:
+    if errors and matter.blueprint.state_count:
         words = f"mend {counted(len(errors), 'error')}"
         yield NextStep(HFSM, words, A_PERSON, str(errors[0].address))
 

@@ -24,6 +24,7 @@ LARGEST = 1 << 20
 """The largest size of the file (bytes)."""
 _Short = Annotated[str, StringConstraints(max_length=300)]
 _Path = Annotated[str, StringConstraints(min_length=1, max_length=4096)]
+MakerKind = Literal["person", "rules", "physics", "model"]
 _Digest = Annotated[str, StringConstraints(pattern=r"^[0-9a-f]{64}$")]
 
 
@@ -36,7 +37,7 @@ class StageNote(BaseModel):
 
     model_config = ConfigDict(extra="forbid", frozen=True)
     stage: Annotated[int, Field(ge=1, le=9)]
-    kind: Literal["person", "rules", "physics", "model"]
+    kind: MakerKind
     who: _Short
     of: dict[_Short, _Digest]
     words: _Short = ""
@@ -86,11 +87,14 @@ def read_notes(file: str) -> DesignNotes:
         first = error.errors(include_url=False, include_input=False)[0]
         where = ".".join(map(str, first["loc"])) or "the file"
         raise _refusal(path, f"{where}: {first['msg']}") from None
-    folder = path.absolute().parent
+
+    def placed(one: str) -> Path:
+        return Path(os.path.normpath(path.absolute().parent / one))
+
     return DesignNotes(
-        tuple(folder / one for one in read.texts),
-        tuple(folder / one for one in read.hardware),
-        folder / read.require if read.require else None,
+        tuple(map(placed, read.texts)),
+        tuple(map(placed, read.hardware)),
+        placed(read.require) if read.require else None,
         {one.stage: one for one in read.done},
     )
 

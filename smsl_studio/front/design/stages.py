@@ -5,12 +5,15 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import NamedTuple
+from typing import Final, NamedTuple
 
 GENERATIVE, DETERMINISTIC, SITE, PEOPLE = "generative", "deterministic", "site", "people"
 """The kinds of stages (paper): what people and models know; what follows from the blueprint; what
 also depends on the place; and what people decide."""
-PERSON, RULES, PHYSICS, MODEL = "person", "rules", "physics", "model"
+PERSON: Final = "person"
+RULES: Final = "rules"
+PHYSICS: Final = "physics"
+MODEL: Final = "model"
 """The kinds of makers. ``rules`` are programs without a model, such as the reader of texts."""
 GOOD, BAD, WARNING, UNKNOWN, PLAIN = "good", "bad", "warning", "unknown", "plain"
 """The marks of a verdict."""

@@ -14,6 +14,7 @@ from smsl_studio.studio.base.feature import Feature, Shell
 from smsl_studio.studio.features.approval.feature import ApprovalFeature
 from smsl_studio.studio.features.branch_map.feature import BranchMapFeature
 from smsl_studio.studio.features.campaign.feature import NAME, CampaignFeature
+from smsl_studio.studio.features.design.feature import DesignFeature
 from smsl_studio.studio.features.draw.feature import DrawFeature
 from smsl_studio.studio.features.exchange.feature import ExchangeFeature
 from smsl_studio.studio.features.export.feature import ExportFeature
@@ -88,6 +89,7 @@ class Features(QObject):
             PlanningFeature(parts, shell, BY_RULES),
             PhysicsFeature(parts, shell, BY_RULES),
         )
+        self.design = DesignFeature(parts, shell, BY_RULES)
         self.start = StartFeature(parts, shell)
         self.help = HelpFeature(parts, shell, lambda: self.draw.findings.chosen_rule)
         self.settings = SettingsFeature(parts, shell)
@@ -122,7 +124,7 @@ class Features(QObject):
 
     def __iter__(self) -> Iterator[Feature]:
         yield from (self.draw, self.inspection, self.approval, self.merge, self.branch_map)
-        yield from (self.rules, self.planning, self.physics)
+        yield from (self.rules, self.planning, self.physics, self.design)
         yield from (self.start,)
         yield from (self.exchange, self.export, self.run, self.supervise, self.review)
         yield from (self.people, self.monitor, self.room, self.campaign)
@@ -279,7 +281,7 @@ class Features(QObject):
         self.end_run()
         for feature in (
             self.replay, self.export, self.exchange, self.approval, self.review, self.merge,
-            self.rules, self.planning, self.physics, self.campaign,
+            self.rules, self.planning, self.physics, self.design, self.campaign,
             self.inspection, self.draw, self.start,
         ):  # fmt: skip
             feature.stop()

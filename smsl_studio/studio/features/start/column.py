@@ -46,6 +46,7 @@ class Column(QWidget):
     try_wanted = Signal()
     help_wanted = Signal()
     rules_wanted = Signal()
+    texts_wanted = Signal()
     file_wanted = Signal(Path)
     sample_wanted = Signal(Path)
     removed = Signal(Path)
@@ -92,6 +93,7 @@ class Column(QWidget):
         tried.clicked.connect(self.try_wanted)
         self.links.help.clicked.connect(self.help_wanted)
         self.links.rules.clicked.connect(self.rules_wanted)
+        self.links.texts.clicked.connect(self.texts_wanted)
         self.show_all.clicked.connect(self._show_all)
         for card in self.samples:
             card.clicked.connect(partial(self.sample_wanted.emit, card.path))

@@ -41,6 +41,7 @@ class StartFeature(Feature):
         column.try_wanted.connect(self._actions["first_steps"].trigger)
         column.help_wanted.connect(self._actions["help_pages"].trigger)
         column.rules_wanted.connect(self._actions["rules_page"].trigger)
+        column.texts_wanted.connect(self._actions["from_text"].trigger)
         column.file_wanted.connect(lambda path: files.open(path))
         column.sample_wanted.connect(lambda path: files.open_copy(path))
         for changed in (files.changed, files.refused):

@@ -25,7 +25,8 @@ class LinkCard(QWidget):
         self.folder = Link("Show the samples folder", "folder", tokens, self)
         self.folder.clicked.connect(show_samples_folder)
         self.rules = Link("Generate from rules", "pencil", tokens, self)
-        self.tiles = (self.help, self.folder, self.rules)
+        self.texts = Link("Generate from text", "book", tokens, self)
+        self.tiles = (self.help, self.folder, self.texts, self.rules)
 
     def set_tokens(self, tokens: Tokens) -> None:
         """Use the colours of another theme for the frame."""
@@ -35,9 +36,9 @@ class LinkCard(QWidget):
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Place the links in the middle."""
         super().resizeEvent(event)
-        top = (self.height() - len(self.tiles) * (HIGH + 8) + 8) // 2
+        top = (self.height() - len(self.tiles) * (HIGH + 4) + 4) // 2
         for at, tile in enumerate(self.tiles):
-            tile.setGeometry(8, top + at * (HIGH + 8), self.width() - 16, HIGH)
+            tile.setGeometry(8, top + at * (HIGH + 4), self.width() - 16, HIGH)
 
     def paintEvent(self, event: QPaintEvent) -> None:
         """Paint a dashed frame."""

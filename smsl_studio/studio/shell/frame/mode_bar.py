@@ -42,7 +42,7 @@ MODES = ("mode_draw", "mode_run", "mode_supervise", "mode_review", "mode_replay"
 NAMED = 1100
 """Below this width of the bar the word of the run leaves the name of its file to the tooltip."""
 NO_TOOLS = ("start",)
-PAGES = ("merge", "rules", "physics")
+PAGES = ("merge", "rules", "physics", "cycle")
 """Pages of Draw on which nothing is drawn."""
 PASSING = ("mode_replay",)
 """Modes that are offered only while they have something to show."""

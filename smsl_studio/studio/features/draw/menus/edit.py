@@ -38,7 +38,7 @@ def edit_actions(
 
         def act() -> None:
             """Do it in Draw mode. In another mode, refuse it and say why."""
-            if shell.mode in ("draw", "merge", "rules", "physics"):
+            if shell.mode in ("draw", "merge", "rules", "physics", "cycle"):
                 call()
             else:
                 session.refused.emit(NOT_SHOWN)

@@ -26,7 +26,7 @@ def view_actions(
 
     def drawing_or_start() -> bool:
         """Whether Draw mode is shown, or the start page, which stands there for it."""
-        return shell.mode in ("draw", "start", "merge", "rules", "physics")
+        return shell.mode in ("draw", "start", "merge", "rules", "physics", "cycle")
 
     def in_draw(name: str) -> Action:
         """The row that shows or hides the docks of one side."""
