@@ -94,14 +94,14 @@ def generate_anew(
     asked = request.checked()
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True, exist_ok=True)
-    made = _Chain(asked, folder / f"{asked.target.stem}.json").wait()
+    made = _TextThread(asked, folder / f"{asked.target.stem}.json").wait()
     changes: tuple[Change, ...] = ()
     if made.blueprint is not None and before is not None:
         changes = compare(before, made.blueprint).changes
     return NewGeneration(asked, folder, made, changes)
 
 
-class _Chain:
+class _TextThread:
     """The chain in a thread of its own, because a server may be silent for minutes."""
 
     def __init__(self, request: GenerationRequest, output: Path) -> None:

@@ -54,7 +54,7 @@ class StageSide(QWidget):
         self._tokens = tokens
         self.stage = DesignStage(FSM)
         self._sections: tuple[SideSection, ...] = ()
-        self._disc = _Disc(tokens)
+        self._disc = _StageNumber(tokens)
         self.title, self.badge = Elided(), _Standing(tokens)
         self.title.setProperty("role", "title")
         self._by, self.maker = label("", "second"), Elided()
@@ -214,7 +214,7 @@ def _section_head(section: SideSection) -> QWidget:
     return made
 
 
-class _Disc(QWidget):
+class _StageNumber(QWidget):
     """The number of the stage."""
 
     def __init__(self, tokens: Tokens) -> None:

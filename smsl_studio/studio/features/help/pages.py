@@ -14,7 +14,7 @@ GROUPS: tuple[tuple[str, tuple[str, ...]], ...] = (
     ("First steps", ("engineer.md", "clinician.md", "shown.md", "plugin-author.md")),
     ("The window", ("window.md", "access.md", "gestures.md", "pictures.md")),
     ("Blueprints", ("language.md", "inspection.md", "drilling.md", "procedures.md", "approval.md",
-                    "text.md")),
+                    "design-cycle.md", "text.md")),
     ("Runs", ("running.md", "supervision.md", "people.md", "monitoring.md", "predicates.md",
               "room.md", "failures.md", "record.md", "evidence.md")),
     ("Commands and plugins", ("command-line.md", "plugins.md")),
