@@ -37,11 +37,11 @@ from smsl_studio.library.prediction import AGREES, DIFFERS, NONE, Prediction
 from smsl_studio.stop import Stopped, heeding
 
 LOW = 10
-"""The priority (nice) of the child."""
+"""How much lower the priority (nice) of the child is than that of the run."""
 CALL_OFF = signal.SIGUSR1
 EVERY = 0.05
 """Simulated seconds between two poses that are told."""
-SPREAD = 0.05
+SPREAD = 0.1
 """Wall time (s) between two tellings: each of them takes a little time from the run."""
 MOST_TOLD = 1_000
 """The largest number of poses in one telling."""
@@ -79,7 +79,7 @@ def main(pipe: int, beat: int) -> None:
     """Answer for a twin until the parent is gone. ``pipe`` and ``beat`` are file numbers."""
     settle_in()
     with contextlib.suppress(OSError):  # the system may have no priorities
-        os.setpriority(os.PRIO_PROCESS, 0, LOW)
+        os.nice(LOW)
     confine(os.getppid())
     wire = ChildWire(socket.socket(fileno=pipe))
     threading.Thread(target=live_with_parent, args=(pipe, beat), daemon=True).start()

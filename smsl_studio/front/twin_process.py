@@ -38,7 +38,7 @@ OPEN_LIMIT = 60.0
 limits are wall time in which it could have worked."""
 HANG_LIMIT = 10.0
 """The time (s) without a word from the child while it carries an operation out."""
-LOOK = 0.02
+LOOK = 0.05
 """The wall time (s) between two looks at the child and at a stop."""
 
 
