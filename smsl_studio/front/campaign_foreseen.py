@@ -60,9 +60,9 @@ class CampaignForesight:
         told = self.known.get(cell.edge, "")
         if not told or cell.runs < cell.seeds:
             return False
-        if all(one.reason == "refused" for one in cell.verdicts.values()):
-            return False  # no run began, so nothing was seen
-        return (told == REACHED) is not (2 * cell.counts[REACHED] >= cell.runs)
+        if not cell.begun:
+            return False  # nothing was seen
+        return (told == REACHED) is not (2 * cell.counts[REACHED] >= cell.begun)
 
 
 def finding_of(cell: CampaignCell, told: str, world: str) -> str:

@@ -8,9 +8,11 @@ from dataclasses import dataclass, field
 from smsl_studio.front.campaign_runs import Injection, RunVerdict
 from smsl_studio.front.campaigns import Campaign, CampaignWatch, row_of, wilson
 
-REACHED, HELD, FAILED = "reached", "held", "failed"
-KINDS = (REACHED, HELD, FAILED)
-"""How a run can end: at its goal, at rest before it, or with an error. The gravest is the last."""
+REACHED, REFUSED, HELD, FAILED = "reached", "refused", "held", "failed"
+KINDS = (REACHED, REFUSED, HELD, FAILED)
+"""How a run can end: at its goal, before its begin, at rest before its goal, or with an error. The
+gravest is the last. A run that was refused shows nothing of the procedure, so no share counts it.
+"""
 _HELD = ("held", "no_route", "stopped")
 
 
@@ -18,6 +20,8 @@ def kind_of(verdict: RunVerdict) -> str:
     """Return how a run ended."""
     if verdict.reached:
         return REACHED
+    if verdict.reason == REFUSED:
+        return REFUSED
     return HELD if verdict.reason in _HELD else FAILED
 
 
@@ -50,24 +54,37 @@ class CampaignCell:
         """How many runs are done."""
         return len(self.verdicts)
 
+    @property
+    def begun(self) -> int:
+        """How many of them began."""
+        return self.runs - self.counts[REFUSED]
+
 
 @dataclass(frozen=True, slots=True)
 class CampaignShare:
-    """A share of runs that reached the goal, with its 95 % Wilson interval. Without runs
-    it is from 0 to 1.
+    """A share of the runs that began and reached the goal, with its 95 % Wilson interval. Without
+    runs it is from 0 to 1.
     """
 
     reached: int
     runs: int
     low: float = 0.0
     high: float = 1.0
+    refused: int = 0
+    """How many more runs did not begin."""
+
+    @property
+    def nothing(self) -> str:
+        """Why there is no share, in words."""
+        return "no run began" if self.refused else "not yet run"
 
 
 def share_of(cells: Iterable[CampaignCell]) -> CampaignShare:
-    """Return the share of runs in some cells that reached the goal."""
+    """Return the share of the runs in some cells that began and reached the goal."""
     own = list(cells)
-    reached, runs = sum(one.counts[REACHED] for one in own), sum(one.runs for one in own)
-    return CampaignShare(reached, runs, *(wilson(reached, runs) if runs else (0.0, 1.0)))
+    reached, runs = sum(one.counts[REACHED] for one in own), sum(one.begun for one in own)
+    low, high = wilson(reached, runs) if runs else (0.0, 1.0)
+    return CampaignShare(reached, runs, low, high, sum(one.counts[REFUSED] for one in own))
 
 
 class CampaignTally(CampaignWatch):

@@ -17,7 +17,15 @@ from smsl_studio.front.campaign_child import CampaignChild, CampaignEnd
 from smsl_studio.front.campaign_faults import CampaignRequest
 from smsl_studio.front.campaign_rates import proposals, with_rates
 from smsl_studio.front.campaign_runs import RunVerdict
-from smsl_studio.front.campaign_tally import FAILED, HELD, REACHED, CampaignTally, share_of
+from smsl_studio.front.campaign_tally import (
+    FAILED,
+    HELD,
+    KINDS,
+    REACHED,
+    REFUSED,
+    CampaignTally,
+    share_of,
+)
 from smsl_studio.front.campaigns import campaign
 from smsl_studio.front.logs import verify
 from smsl_studio.smsl.json_form import parse_json
@@ -134,7 +142,7 @@ def test_a_tally_counts_each_run_once(request_: CampaignRequest) -> None:
         tally.hear(0, seed, verdict(reason))
         tally.hear(0, seed, verdict("goal_reached"))
     (cell,) = tally.cells
-    assert cell.counts == {REACHED: 1, HELD: 2, FAILED: 1}
+    assert cell.counts == {REACHED: 1, REFUSED: 0, HELD: 2, FAILED: 1}
     assert (tally.faults, tally.edges, tally.done) == (("",), ("",), 4)
     share = share_of(tally.cells)
     assert (share.reached, share.runs) == (1, 4)
@@ -149,7 +157,7 @@ def test_measured_rates_are_proposed_and_written(request_: CampaignRequest) -> N
     cells = {(one.edge, one.fault): one for one in tally.cells}
     for fault, told in (("fail", ("goal_reached", "held", "held")), ("hang", ("held",) * 3)):
         cells[go, fault].verdicts = {}
-        cells[go, fault].counts = dict.fromkeys((REACHED, HELD, FAILED), 0)
+        cells[go, fault].counts = dict.fromkeys(KINDS, 0)
         cells[go, fault].recovered = 0
         for seed, reason in enumerate(told):
             tally.hear(cells[go, fault].row, seed, verdict(reason))

@@ -5,6 +5,7 @@ from __future__ import annotations
 import smsl_studio as smsl
 from smsl_studio.blueprint.address import Address
 from smsl_studio.front.campaign_foreseen import CampaignForesight, finding_of
+from smsl_studio.front.campaign_rates import proposals
 from smsl_studio.front.campaign_runs import Injection, RunVerdict
 from smsl_studio.front.campaign_tally import CampaignTally
 from smsl_studio.shipped import samples_dir
@@ -40,9 +41,26 @@ def test_a_cell_differs_when_most_of_its_runs_ended_otherwise() -> None:
     tally.hear(0, 1, held)
     tally.hear(0, 2, reached)
     assert told.differs(cell)
-    for seed in range(3):
-        cell.verdicts[seed] = RunVerdict(False, False, "refused", "0" * 64)
-    assert not told.differs(cell), "no run began"
     words = finding_of(cell, "reached", "hanoi")
     assert words.startswith("Campaign in the world hanoi: slip in Op_1b. Foreseen: reached")
     assert words.endswith("Seen: 1 reached, 2 held of 3 runs.")
+
+
+def test_runs_that_were_refused_say_nothing_of_a_fault() -> None:
+    tally, told = CampaignTally(), CampaignForesight(HANOI)
+    tally.begin([Injection("slip", EDGE)], 2)
+    (cell,) = tally.cells
+    assert told.look(cell.edge) == "reached"
+    tally.hear(0, 0, RunVerdict(False, False, "refused", "0" * 64))
+    assert tally.of_edge(cell.edge).nothing == "no run began"
+    tally.hear(0, 1, RunVerdict(False, False, "refused", "0" * 64))
+    assert not told.differs(cell)
+    assert cell.counts == {"reached": 0, "refused": 2, "held": 0, "failed": 0}
+    tally.begin([Injection("slip", EDGE)], 2)
+    (cell,) = tally.cells
+    tally.hear(0, 0, RunVerdict(False, False, "refused", "0" * 64))
+    tally.hear(0, 1, RunVerdict(True, False, "goal_reached", "0" * 64))
+    share = tally.of_fault("slip")
+    assert (share.reached, share.runs, share.refused) == (1, 1, 1)
+    assert not told.differs(cell)
+    assert proposals(HANOI, tally)[0].risk == "low"

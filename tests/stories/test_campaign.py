@@ -57,7 +57,7 @@ def over(person: Person) -> None:
     person.qtbot.waitUntil(lambda: not work.moves, timeout=60_000)
 
 
-def test_a_campaign_runs_and_one_of_its_runs_is_replayed(person: Person) -> None:
+def test_a_campaign_runs_and_one_of_its_runs_is_replayed(person: Person, home: Path) -> None:
     dialog = asked(person)
     person.choose(dialog.world, "table")
     dialog.seeds.selectAll()
@@ -89,12 +89,22 @@ def test_a_campaign_runs_and_one_of_its_runs_is_replayed(person: Person) -> None
     person.press(Key.Key_Return)
     person.press(Key.Key_Right)
     assert shown.side.seed == 1
-    person.press(Key.Key_Return)
+    story = shown.side.story
+    person.qtbot.waitUntil(lambda: story.timeline.isVisibleTo(shown), timeout=30_000)
+    assert (story.title.text(), story.seen.text()) == ("Run of seed 1", "held")
+    assert [lane.label for lane in story.timeline.lanes] == ["State", "Operation"]
+    words = [row.text for row in story.events.rows.rows]
+    assert "Had something go wrong: fail" in words
+    assert words[-1].startswith("The run ended")
     features = person.window.features
+    (log,) = home.rglob("way-fail-0-1.jsonl")
+    made = log.stat().st_mtime_ns
+    person.press(Key.Key_Return)
     person.qtbot.waitUntil(lambda: features.replay.is_open, timeout=30_000)
     recording = features.replay.verbs.replay.recording
     assert recording is not None
-    assert recording.path.name == "way-fail-0-1.jsonl"
+    assert recording.path == log
+    assert log.stat().st_mtime_ns == made, "what is shown already is not carried out again"
     person.until(lambda: person.window.mode_bar.isVisible())
 
 

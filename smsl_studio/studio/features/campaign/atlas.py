@@ -53,7 +53,7 @@ Index = QModelIndex | QPersistentModelIndex
 def percent(share: CampaignShare) -> str:
     """Return a share in words, with its interval."""
     if not share.runs:
-        return "not yet run"
+        return share.nothing
     between = f"{100 * share.low:.0f} to {100 * share.high:.0f} %"
     return f"{100 * share.reached / share.runs:.1f} %, 95 % interval {between}"
 
@@ -261,7 +261,7 @@ class _AtlasCells(QStyledItemDelegate):
             return
         inner = room.adjusted(10, 0, -14, 0)
         if not share.runs:
-            paint_text(painter, inner, "not yet run", TextInk(self.tokens.tx2, 12))
+            paint_text(painter, inner, share.nothing, TextInk(self.tokens.tx2, 12))
             return
         words = f"{100 * share.reached / share.runs:.1f} %"
         paint_text(painter, inner, words, TextInk(self.tokens.tx, 12), right=True)

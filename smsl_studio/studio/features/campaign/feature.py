@@ -21,19 +21,18 @@ from smsl_studio.studio.base.words import counted
 from smsl_studio.studio.running.window_parts import WindowParts
 
 if TYPE_CHECKING:
-    from smsl_studio.front.campaign_runs import RunVerdict
     from smsl_studio.front.campaign_tally import CampaignCell
+    from smsl_studio.front.recordings import Recording
     from smsl_studio.studio.features.campaign.bar import CampaignBar
     from smsl_studio.studio.features.campaign.choice import CampaignChoice
     from smsl_studio.studio.features.campaign.page import CampaignPage
+    from smsl_studio.studio.features.campaign.run_again import RunAgain
     from smsl_studio.studio.features.campaign.work import CampaignWork
 
 NAME = "Campaign"
 KINDS = "Report (*.html);;Results (*.json);;Results (*.parquet)"
 AT = 40.0
 """How far a note stands right of its state, and half of how far below (pixels)."""
-MOST_KEPT = 50
-"""The largest number of campaigns whose results are kept."""
 
 
 class CampaignFeature(Feature):
@@ -47,6 +46,7 @@ class CampaignFeature(Feature):
         self.replay: Callable[[Path], None] = lambda path: None
         """Shows a recorded run."""
         self.work: CampaignWork | None = None
+        self.again: RunAgain | None = None
         self.part = LatePart(self._make)
         self.row = LatePart(self._make_row)
         """What stands in the mode bar while the page is shown."""
@@ -65,15 +65,19 @@ class CampaignFeature(Feature):
 
     def _make(self) -> CampaignPage:
         from smsl_studio.studio.features.campaign.page import CampaignPage
+        from smsl_studio.studio.features.campaign.run_again import RunAgain
         from smsl_studio.studio.features.campaign.work import CampaignWork
 
         session = self._parts.session
         self.work = CampaignWork(self._parts.window)
+        folder = self._parts.settings.folder / "campaigns"
+        self.again = RunAgain(self.work, folder, self._parts.window)
         page = CampaignPage(self.work, self._tokens)
         self.work.refused.connect(self._parts.toast.refuse)
         page.new_wanted.connect(self.new)
         page.rates_wanted.connect(self.write_rates)
         page.replay_wanted.connect(self._replay)
+        page.story_wanted.connect(self._tell_story)
         page.finding_wanted.connect(self.open_finding)
         session.blueprint_changed.connect(lambda *_: page.show_drawing(session.blueprint))
         page.show_drawing(session.blueprint)
@@ -133,10 +137,12 @@ class CampaignFeature(Feature):
         dialog.open()
 
     def _begin(self) -> None:
+        from smsl_studio.studio.features.campaign.run_again import forget_old
+
         folder = self._parts.settings.folder / "campaigns"
         try:
             request = self.choice.request(self._parts.session.blueprint, folder)
-            _forget_old(folder)
+            forget_old(folder)
         except OSError as error:
             words = f"{folder} cannot be made: {error.strerror or error}"
             self._parts.toast.refuse(SaveError(words, advice="Is the disk full?"))
@@ -249,38 +255,42 @@ class CampaignFeature(Feature):
 
     def _replay(self, cell: CampaignCell, seed: int) -> None:
         """Carry a run of a cell out again with a log, and show it."""
-        from smsl_studio.front.campaign_runs import RunVerdict
+        from smsl_studio.studio.features.campaign.run_again import OTHER
 
-        work = self.work
-        assert work is not None
-        assert work.request is not None
-        folder = self._parts.settings.folder / "campaigns" / "replays"
-        fault = cell.fault or "none"
-        log = folder / f"{Path(work.request.blueprint.file).stem}-{fault}-{cell.row}-{seed}.jsonl"
-        try:
-            folder.mkdir(parents=True, exist_ok=True)
-            log.unlink(missing_ok=True)
-            _forget_old(folder)
-        except OSError as error:
-            self._parts.toast.refuse(SaveError(f"{log} was not written: {error.strerror or error}"))
-            return
-        before, side = cell.verdicts[seed], self.page.side
+        side, again = self.page.side, self.again
+        assert again is not None
         side.say(f"Carrying out the run of seed {seed} again…")
 
-        def show(came: RunVerdict | StudioError) -> None:
+        def show(log: Path, _: Recording, other: bool) -> None:
             """Show the log, and say so if the run was another one than before."""
             side.say("")
-            if not isinstance(came, RunVerdict):
-                self._parts.toast.refuse(came)
-                return
             self.replay(log)
-            if came.sha256 != before.sha256:
-                self._parts.toast.tell(
-                    "This run is not the one of the campaign: its events differ.",
-                    "Show the campaign", self.show, "W",
-                )  # fmt: skip
+            if other:
+                self._parts.toast.tell(OTHER, "Show the campaign", self.show, "W")
 
-        work.record(work.request.run(seed, cell.injection), log, show)
+        def refuse(error: StudioError) -> None:
+            """Say why there is no run to show."""
+            side.say("")
+            self._parts.toast.refuse(error)
+
+        again.look(cell, seed, show, refuse)
+
+    def _tell_story(self, cell: CampaignCell, seed: int) -> None:
+        """Show the events of a run beside its cell."""
+        from smsl_studio.studio.features.campaign.run_again import OTHER
+
+        side, again = self.page.side, self.again
+        assert again is not None
+
+        def show(_: Path, recording: Recording, other: bool) -> None:
+            """Show the run, or that it was another one than before."""
+            if other:
+                side.story.show_words(OTHER)
+            else:
+                side.show_story(recording, seed)
+
+        if not side.told.text():  # a replay goes before
+            again.look(cell, seed, show, lambda error: side.story.show_words(str(error)))
 
     # What the shell needs.
 
@@ -305,10 +315,5 @@ class CampaignFeature(Feature):
         """End all work, because the window closes. What is done is kept."""
         if self.work is not None:
             self.work.shut()
-
-
-def _forget_old(folder: Path) -> None:
-    """Remove the files of a folder that are older than the ``MOST_KEPT`` newest ones."""
-    files = sorted(folder.glob("*.jsonl"), key=lambda one: one.stat().st_mtime, reverse=True)
-    for one in files[MOST_KEPT:]:
-        one.unlink(missing_ok=True)
+        if self.again is not None:
+            self.again.stop()

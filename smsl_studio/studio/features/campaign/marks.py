@@ -7,18 +7,21 @@ from collections.abc import Mapping
 from PySide6.QtCore import QRectF, Qt
 from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen
 
-from smsl_studio.front.campaign_tally import FAILED, HELD, REACHED, CampaignShare
+from smsl_studio.front.campaign_tally import FAILED, HELD, REACHED, REFUSED, CampaignShare
 from smsl_studio.studio.base.icons import draw
 from smsl_studio.studio.base.theme import RADIUS_CHIP, Tokens, text_font
 
-ICONS: Mapping[str, str] = {REACHED: "check", HELD: "pause", FAILED: "close"}
-WORDS: Mapping[str, str] = {REACHED: "reached", HELD: "held", FAILED: "failed"}
+ICONS: Mapping[str, str] = {REACHED: "check", REFUSED: "barred", HELD: "pause", FAILED: "close"}
+WORDS: Mapping[str, str] = {
+    REACHED: "reached", REFUSED: "refused", HELD: "held", FAILED: "failed",
+}  # fmt: skip
 
 
 def inks(kind: str, tokens: Tokens) -> tuple[QColor, QColor]:
     """Return the ink and the ground of a kind of end."""
     return {
         REACHED: (tokens.ok, tokens.oks),
+        REFUSED: (tokens.tx2, tokens.sunk),
         HELD: (tokens.risk, tokens.risks),
         FAILED: (tokens.bad, tokens.bads),
     }[kind]

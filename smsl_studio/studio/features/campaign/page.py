@@ -24,8 +24,8 @@ from smsl_studio.studio.running.frames import split
 
 EMPTY = "No campaign yet. Choose faults and seeds."
 LEGEND = (
-    "✓ reached the goal    ‖ held before it    ✗ failed    — cannot occur there    "
-    "dashed: not yet run    bar: 95 % interval of the share that reached the goal    "
+    "✓ reached the goal    ‖ held before it    ✗ failed    ⊘ refused, did not begin    "
+    "— cannot occur there    dashed: not yet run    "
     "two short ticks: foreseen above, seen below; apart: they differ"
 )
 ANOTHER = "Made for another version of the drawing"
@@ -41,6 +41,8 @@ class CampaignPage(QWidget):
     note, and how it was foreseen."""
     replay_wanted = Signal(object, int)
     """CampaignCell, seed: the person wants to see this run again."""
+    story_wanted = Signal(object, int)
+    """CampaignCell, seed: the events of this run are to stand at the right."""
 
     def __init__(self, work: CampaignWork, tokens: Tokens) -> None:
         super().__init__()
@@ -69,6 +71,7 @@ class CampaignPage(QWidget):
         self._build()
         self.table.cell_chosen.connect(lambda _: self._show_cell())
         self.side.replay_wanted.connect(self._replay)
+        self.side.story_wanted.connect(self._tell_story)
         self.side.finding_wanted.connect(self._open_finding)
         self.begin.clicked.connect(self.new_wanted)
         self.rates.clicked.connect(self.rates_wanted)
@@ -230,6 +233,10 @@ class CampaignPage(QWidget):
     def _replay(self, seed: int) -> None:
         if self.table.chosen is not None:
             self.replay_wanted.emit(self.table.chosen, seed)
+
+    def _tell_story(self, seed: int) -> None:
+        if self.table.chosen is not None:
+            self.story_wanted.emit(self.table.chosen, seed)
 
 
 def duration(seconds: float) -> str:

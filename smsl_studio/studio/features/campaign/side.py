@@ -2,8 +2,16 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QModelIndex, QPersistentModelIndex, QRectF, QSize, Qt, Signal
-from PySide6.QtGui import QPainter, QPaintEvent, QPen
+from PySide6.QtCore import (
+    QModelIndex,
+    QPersistentModelIndex,
+    QRectF,
+    QSize,
+    Qt,
+    QTimer,
+    Signal,
+)
+from PySide6.QtGui import QPainter, QPaintEvent, QPen, QResizeEvent
 from PySide6.QtWidgets import (
     QListView,
     QPushButton,
@@ -17,7 +25,15 @@ from PySide6.QtWidgets import (
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.front.campaign_foreseen import WHY
 from smsl_studio.front.campaign_runs import RunVerdict
-from smsl_studio.front.campaign_tally import KINDS, CampaignCell, CampaignShare, kind_of, share_of
+from smsl_studio.front.campaign_tally import (
+    KINDS,
+    REFUSED,
+    CampaignCell,
+    CampaignShare,
+    kind_of,
+    share_of,
+)
+from smsl_studio.front.recordings import Recording
 from smsl_studio.studio.base.controls import Elided, label, row, rule
 from smsl_studio.studio.base.icons import draw
 from smsl_studio.studio.base.rows import ListRow, RowsView, TextInk, paint_text
@@ -25,8 +41,14 @@ from smsl_studio.studio.base.theme import RADIUS_CONTROL, Tokens
 from smsl_studio.studio.base.tips import tip_text
 from smsl_studio.studio.features.campaign.atlas import UNDISTURBED, names_of
 from smsl_studio.studio.features.campaign.marks import ICONS, WORDS, inks, paint_share
+from smsl_studio.studio.features.campaign.run_story import RunStory
 
-TILE_WIDE, TILE_HIGH = 46, 34
+TILE_WIDE, TILE_HIGH = 38, 32
+TILE_ROWS = 2
+"""So many rows of tiles are seen at once; the others are scrolled to."""
+QUIET = 300
+"""Milliseconds after which the run that is chosen is looked at."""
+AGAIN = "The run of seed {} is carried out again, to show its events…"
 NOTHING = "Choose a cell of the table to see its runs."
 Index = QModelIndex | QPersistentModelIndex
 
@@ -83,6 +105,8 @@ class CampaignSide(QWidget):
     """The person wants this cell, which ended otherwise than foreseen, on the drawing."""
     replay_wanted = Signal(int)
     """int: the seed of the run that the person wants to see again."""
+    story_wanted = Signal(int)
+    """int: the seed of the run whose events are to be shown here."""
 
     def __init__(self, tokens: Tokens) -> None:
         super().__init__()
@@ -90,11 +114,18 @@ class CampaignSide(QWidget):
         self._cell: CampaignCell | None = None
         self._shown: tuple[CampaignCell | None, int] = (None, -1)
         self.setProperty("role", "panel")
+        self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
         self.title, self.states = label("", "heading"), label("", "second")
         self.empty = label(NOTHING, "hint")
         self.counts = {kind: label("", "second") for kind in KINDS}
         self.between, self.after = Elided(), label("", "small")
         self._share = _Share(tokens)
+        self.story = RunStory(tokens)
+        self._told: tuple[CampaignCell | None, int | None] = (None, None)
+        self._quiet = QTimer(self)
+        self._quiet.setSingleShot(True)
+        self._quiet.setInterval(QUIET)
+        self._quiet.timeout.connect(self._look)
         self.runs = RowsView(tokens)
         self.runs.setItemDelegate(_Tiles(tokens, self.runs))
         self.runs.setViewMode(QListView.ViewMode.IconMode)
@@ -105,19 +136,21 @@ class CampaignSide(QWidget):
         self.runs.setAccessibleName("Runs by seed")
         self.replay = QPushButton("Replay")
         self.replay.setProperty("role", "primary")
-        self.replay.setFixedHeight(40)
+        self.replay.setFixedHeight(36)
         self.replay.setToolTip(
             tip_text("Carry this very run out again with its seed and its fault, and show it")
         )
-        self.foreseen = label("", "small")
-        self.foreseen.setWordWrap(True)
+        self.foreseen = Elided()
         self.finding = QPushButton("Open as finding")
         self.finding.setToolTip(
             tip_text("Write a note at the state where the operation begins, and show it in Draw")
         )
         self.finding.clicked.connect(self.finding_wanted)
+        self.foreseen.setProperty("role", "small")
+        self.after.setToolTip("So many reached the goal after something went wrong")
         self.told = label("", "small")
         self.told.setWordWrap(True)
+        self.told.hide()
         self.replay.clicked.connect(self._ask)
         self.runs.activated.connect(lambda _: self._ask())
         self.runs.doubleClicked.connect(lambda _: self._ask())
@@ -129,18 +162,19 @@ class CampaignSide(QWidget):
         self._whole = QWidget()
         inner = QVBoxLayout(self._whole)
         inner.setContentsMargins(0, 0, 0, 0)
-        inner.setSpacing(8)
+        inner.setSpacing(6)
         inner.addLayout(row(self.title, None, self.states))
-        inner.addLayout(row(*self.counts.values(), None, spacing=16))
+        inner.addLayout(row(*self.counts.values(), self.after, None, spacing=14))
         inner.addWidget(self.between)
         inner.addWidget(self._share)
-        inner.addWidget(self.after)
         inner.addWidget(self.foreseen)
         inner.addWidget(self.finding)
         inner.addWidget(rule())
-        inner.addWidget(self.runs, 1)
+        inner.addWidget(self.runs)
         inner.addWidget(self.told)
         inner.addWidget(self.replay)
+        inner.addWidget(rule())
+        inner.addWidget(self.story, 1)
         column = QVBoxLayout(self)
         column.setContentsMargins(14, 12, 14, 12)
         column.addWidget(self.empty)
@@ -169,18 +203,30 @@ class CampaignSide(QWidget):
         self.states.setText(states)
         for kind, shown in self.counts.items():
             shown.setText(f"{cell.counts[kind]:,} {WORDS[kind]}")
+            shown.setVisible(kind != REFUSED or cell.counts[kind] > 0)
         share = self._share.share = share_of([cell])
-        part = f"Reached {100 * share.reached / share.runs:.0f} %" if share.runs else "Not yet run"
+        part = (
+            f"Reached {100 * share.reached / share.runs:.0f} %"
+            if share.runs
+            else share.nothing.capitalize()
+        )
         between = f", 95 % interval {100 * share.low:.0f} to {100 * share.high:.0f} %"
         self.between.setText(f"{part}{between if share.runs else ''}")
-        after = f"{cell.recovered:,} of them after something went wrong." if cell.recovered else ""
+        after = f"{cell.recovered:,} recovered" if cell.recovered else ""
         self.after.setText(after)
         self.after.setVisible(bool(after))
         self._share.update()
         self.runs.show_rows([_row(one, cell.verdicts[one]) for one in sorted(cell.verdicts)])
         if self.seed is None and cell.verdicts:
             self.runs.setCurrentIndex(self.runs.rows.index(0))
+        self._fit_tiles()
         self._name_run()
+
+    def show_story(self, recording: Recording, seed: int) -> None:
+        """Show the events of a run, if it is still the chosen one."""
+        if self._cell is not None and seed == self.seed:
+            verdict = self._cell.verdicts[seed]
+            self.story.show_recording(recording, seed, WORDS[kind_of(verdict)])
 
     def show_foreseen(self, told: str, differs: bool) -> None:
         """Show how the runs were foreseen to end; empty for nothing. If they ended otherwise, a
@@ -193,11 +239,13 @@ class CampaignSide(QWidget):
     def say(self, words: str) -> None:
         """Say what is being done with the chosen run; empty says nothing."""
         self.told.setText(words)
+        self.told.setVisible(bool(words))
         self._name_run()
 
     def set_tokens(self, tokens: Tokens) -> None:
         """Use the colours of another theme."""
         self._tokens = self._share.tokens = tokens
+        self.story.set_tokens(tokens)
         delegate = self.runs.itemDelegate()
         assert isinstance(delegate, _Tiles)
         delegate.tokens = tokens
@@ -208,6 +256,25 @@ class CampaignSide(QWidget):
         seed = self.seed
         self.replay.setText("Replay" if seed is None else f"Replay the run of seed {seed}")
         self.replay.setEnabled(seed is not None and not self.told.text())
+        if (self._cell, seed) != self._told:
+            self._told = self._cell, seed
+            self.story.show_words(AGAIN.format(seed) if seed is not None else "")
+            self._quiet.start()
+
+    def _look(self) -> None:
+        if self.seed is not None and self.isVisible():
+            self.story_wanted.emit(self.seed)
+
+    def _fit_tiles(self) -> None:
+        """Give the tiles the height of their rows."""
+        across = max(self.runs.viewport().width() // TILE_WIDE, 1)
+        rows = -(-self.runs.rows.rowCount() // across)
+        self.runs.setFixedHeight(TILE_HIGH * min(max(rows, 1), TILE_ROWS) + 2)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Distribute the new width among the tiles."""
+        super().resizeEvent(event)
+        self._fit_tiles()
 
     def _ask(self) -> None:
         if self.seed is not None and self.replay.isEnabled():

@@ -145,6 +145,10 @@ class CampaignWork(QObject):
 
         self._aside.do(work, then)
 
+    def drop_record(self) -> None:
+        """Give up the run that is carried out again."""
+        self._aside.drop()
+
     def _take(self) -> None:
         """Take what was heard since the last look."""
         heard = self._heard
