@@ -5,8 +5,8 @@ from __future__ import annotations
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from smsl_studio.front.recordings import Recording
+from smsl_studio.front.run_story import StoryLine, few_lanes, story_lines
 from smsl_studio.front.views.event_marks import COMMIT, FAULT, HELD, PERSON
-from smsl_studio.front.views.run_story import StoryLine, few_lanes, story_lines
 from smsl_studio.studio.base.controls import Elided, label, row
 from smsl_studio.studio.base.rows import ListRow, RowsView
 from smsl_studio.studio.base.theme import Tokens
