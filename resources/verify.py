@@ -1,12 +1,11 @@
 """Checks this folder, as README.txt explains."""
 import sys; del sys.path[:__name__ == "__main__"]  # no module of this folder is loaded
 import base64, datetime as dt, hashlib, itertools, json, pathlib, tomllib, unicodedata as signs
-NOT_CHECKED = "reception over MQTT or from measures", "costs of routes"; on_measured = lambda *_: 0
 class Map(dict):  # m.key is m["key"]
 	__getattr__, __setattr__, __missing__ = dict.__getitem__, dict.__setitem__, lambda m, key: Map()
 def no(wrong, why="it does not follow"):
 	if wrong: raise Wrong(why)
-def sha(raw): return hashlib.sha256(raw).hexdigest()
+sha = lambda raw: hashlib.sha256(raw).hexdigest(); ops = lambda s, a: [o for o in s.ops if o.a == a]
 def once(pairs): return no(len(dict(pairs)) < len(pairs)) or Map(pairs)
 def read(raw): return json.loads(raw.decode(), object_pairs_hook=once, parse_constant=no)
 def plain(v): return json.dumps(v, separators=(",", ":"), ensure_ascii=False).encode()
@@ -15,14 +14,13 @@ def parts(text): return tuple(p.replace("~1", "/").replace("~0", "~") for p in t
 def fact(of): a, _, n = of.rpartition("/"); return *parts(a), int(n) if n.encode().isdigit() else -1
 TYPES = {Map: "answers candidate closed configuration costs facts parameters refusal start", int:
 	"cost deadline digit operations persons seed t taken", float: "cost deadline risk t taken", list:
-	"facts operations met sensed unknown", str: "address"}; Wrong = AssertionError
-def facts(them): return {fact(k): v for k, v in them.items()}
+	"facts operations met sensed unknown", str: "address"}; Wrong, END = AssertionError, "goal_reached"
 def fits(name, v):  # else a plural is a list, and all the rest a text
 	of = [k for k in TYPES if name in TYPES[k].split()] or [list if name[-1:] == "s" else str]
 	no(type(v) not in of or float in of and abs(v) >= 2**53 or name == "risk" and not 0 <= v <= 1)
 	for one in v.values() if type(v) is Map else v if type(v) is list else (): fits(name[:-1], one)
-PARTS, END = "brought behaviour meaning closure".split(), "goal_reached"
-def content(texts, record=""):  # 1 THE BLUEPRINT, as its digests say
+PARTS = "brought behaviour meaning closure".split(); facts = lambda m: {fact(k): m[k] for k in m}
+def content(texts, record=""):  # 1 THE BLUEPRINT
 	hexes, (brought, own, (mine, *meaning), closure) = [*map(sha, texts)], map(read, texts)
 	(hex, notes, hazards, *levels), sbs = closure.imported, dict(own + brought)
 	no([hex, closure.behaviour, closure.meaning] != hexes[:3])
@@ -45,9 +43,8 @@ def branch(c, b, sb, notes):  # a state's name ends in its facts
 def lines(raw):  # 2 THE LOG: each line has the SHA-256 of all before it
 	(*told, head, end), hash, found = raw.split(b"\n"), hashlib.sha256(), []
 	for n, line in enumerate(told, 1):
-		hash.update(line[:-66])
-		no(line[-76:] != b',"chain":"%s"}' % hash.hexdigest().encode(), f"line {n} was changed")
-		hash.update(line[-66:] + b"\n"); found.append(read(line[:-76] + b"}"))
+		no(hash.update(line[:-66]) or line[-76:] != b',"chain":"%s"}' % hash.hexdigest().encode(), "line "
+			f"{n} was changed"); hash.update(line[-66:] + b"\n"); found.append(read(line[:-76] + b"}"))
 	sums, seal = dict(count=len(told) - 1, hash=hash.hexdigest()), read(head).signed
 	no(end or head != plain(dict(head=sums, signed=seal) if seal else {"head": sums}))
 	return Map(found[0], head=plain(sums), signed=seal), found[1:]
@@ -59,27 +56,25 @@ def holds(s, k, v, at, way=()):  # None: unknown, ...: on its way
 	got = s.facts.get(k, s.means[k[0], at[k[0]]][k] if s.began and k not in s.sensed else None)
 	return None if got is None else got == v
 def terms(s, at, b, way=()): return [holds(s, k, v, at, way) for k, v in s.means[b, at[b]].items()]
-def lit(s, key, at): return s.means[key[0], at[key[0]]][key] == s.on[key]
+safe = lambda s: no(hazards(s) - s.met); lit = lambda s, k, c: s.means[k[0], c[k[0]]][k] == s.on[k]
 def broken(s, at): return [x for k, x in s.subs.items() if lit(s, k, at) != (at[x] == s.ends[x])]
 def placed(s, key, at):  # where a sub-SB and its own start
 	x = s.subs[key]; at = {x: s.ends[x] if lit(s, key, at) else s.sbs[x].initial}
 	return at | {k: v for own in s.subs if own[0] == x for k, v in placed(s, own, at).items()}
 def level(s, *of): return next((a[k] for a in (s.h.levels, s.levels) for k in of if k in a), "")
 def edge(s, a):  # what an operation changes
-	b, at, word = parts(a); sb, own, key = s.sbs[b], text(word), text(at, word)
-	to, was = sb.states[at][word], s.conf | {b: at}; no(a != text(b, at, word))
-	note = Map(sb.ops[own] | sb.ops[key]); load = note.subs == "load"
-	diff = {key for key, _ in s.means[b, at].items() ^ s.means[b, to].items()}
-	op = Map(b=b, was=at, to=(b, to), new={b: to}, t=s.t, a=a, note=note, level=level(s, a, text(b,
-		word)) or note.actor, needs=load or diff - {*s.subs} or not diff)
+	b, at, word = parts(a); sb, own, key = s.sbs[b], text(word), text(at, word); no(a != text(b, at,
+		word)); to, was = s.made.get(a, [sb.states[at][word]])[0], s.conf | {b: at}
+	note = Map(sb.ops[own] | sb.ops[key]); load = note.subs == "load"; diff = {key for key, _ in
+		s.means[b, at].items() ^ s.means[b, to].items()}; op = Map(b=b, was=at, to=(b, to), new={b: to},
+		t=s.t, a=a, note=note, level=level(s, a, text(b, word)) or note.actor, needs=load or diff -
+		{*s.subs} or not diff)
 	for key in diff & {*s.subs} if load else (): op.new = placed(s, key, op.new) | op.new
 	op.crossed = {k for k, x in s.subs.items() if [was[x], (was | op.new)[x]].count(s.ends[x]) == 1}
 	op.along = diff | {key for key in s.subs if key[0] in {*op.new} - {b}}; return op
 def due(of): return [op for op in of if op.needs and not op.how]
 def way(s): return {key for op in s.ops for key in op.crossed if due(s.ops)}
 def hazards(s): return {h for h in s.hazards if all(holds(s, *f, here(s)) for f in s.hazards[h])}
-def safe(s): no(hazards(s) - s.met)
-def ops(s, a): return [op for op in s.ops if op.a == a]
 WORDS = """ask - end - give_back - pause - step - veto - accept given_back adopt relocalised? reset
 	reset prune operation_pruned restore operation_restored resume resumed stop stopped take_over
 	taken_over answer task_answered disturb disturbed inject fault_injected full_map - set_cost -
@@ -97,19 +92,19 @@ def take(s, e):  # 3 THE STORY: may this event come?
 	if kind in "held mismatch relocalised stopped taken_over": s.ops = s.moved = s.acts = s.bad = ()
 	if kind not in "measured fact_changed costs_changed " + END: s.busy = e.t
 	if kind != "measured": s.last, s.seen = e, s.seen if kind == "state_checked" else {}
-def on_within(s, e):  # the story of what it runs
+def on_within(s, e):
 	op, below = ops(s, e.operation)[-1], read(raw := e.told.encode()); runs = op.note.binding
 	op.below = op.below or story(s.known, s.h.procedures[runs.blueprint], Map(s.h, goals=[runs.goal],
 		levels={}, grounds=Map()), below.start)
 	no(op.how or below.t != e.t or plain(below) != raw and b"\\u" not in raw); take(op.below, below)
-def on_run_started(s, e):  # as the header and bases say
+def on_run_started(s, e):
 	s.h.met, s.goals, start = e.met, {g: parts(g) for g in e.goals}, e.start; no(e.seed != s.h.seed)
 	s.sensed = {*map(fact, e.sensed)}; no(s.began or s.sensed - {*s.notes} or s.facts and not s.names)
 	own = {b: x if (x := start[b]) == s.ends[b] and b in s.based else s.sbs[b].initial for b in s.sbs}
 	no((e.behaviour, e.world, start, dict(s.goals.values())) != (s.whole, s.h.world, own | s.at |
 		s.conf, dict(map(parts, s.h.goals)) or {b: s.ends[b] for b in {*s.sbs} - s.based}))
 	s.conf, s.start, s.began = start, {**start}, 1; no(broken(s, start) or hazards(s))
-def on_fact_changed(s, e):  # a source or a person tells it
+def on_fact_changed(s, e):
 	key = b, n = e.branch, e.digit; v, name, note = e.value, text(b, str(n)), s.notes[key]
 	no(s.facts.get(key, 0) == v or v is not None and (e.reason or key in s.subs or s.began and key not
 		in s.sensed or (level(s, name) or note.aggregation) == "human" and s.said.get(("fact", name)) !=
@@ -123,42 +118,40 @@ def on_state_checked(s, e):  # as the facts say
 		- {key for op in s.ops for key in op.along}); s.bad = e.result != "true"
 	if not s.bad: safe(s); s.seen[b] = state
 	for op in s.ops: op.done = op.done or op.to == place and not s.bad
-def on_route_planned(s, e):  # from here to the goal
+def on_route_planned(s, e):
 	at, s.plan, s.free, s.ask = s.conf, e.operations, 0, 0; no(s.again or not s.plan)
 	for op in (edge(s, one) for one in s.plan): no(at[op.b] != op.was); at = at | op.new
 	no(e.goal != "a state without failure" and s.goals[e.goal] not in at.items())
-def on_operation_started(s, e):  # where its SB is, if people let it
-	a, op, now, rest = e.a, edge(s, e.a), here(s), s.ops; op.code = e.function
+def on_operation_started(s, e):
+	a, op, now, rest = e.a, edge(s, e.a), here(s), s.ops; op.code = e.function; safe(s)
 	s.free, on, seen = s.free or s.ask == a, s.plan[:1] == [a], terms(s, now, op.b, way(s))
-	bound = s.h.grounds.functions[op.b]; no(bound and e.function not in ("", *bound.values()))
-	no(op.to[1] != e.target or now[op.b] != op.was or a in s.shut or s.bar.get(a) or s.bad)
-	no(not s.free and (not on or s.paused or a in s.veto) or False in seen or None in seen and not rest
-		or s.acts and not s.again or any((o.how or o.b == op.b) and not o.done for o in rest))
-	safe(s); yes, go = (s.said.pop((kind, a), "  ") for kind in ("confirm", "supervise"))
-	no(bool(e.function) == (not op.needs or op.level == "human") or go[1] != "go_on" and not (rest or
-		s.free or op.b in s.based) and (go[0] == s.t or level(s, "supervision") == "human"))
-	no(yes[1] != "confirm" and (op.level == "shared" or op.note.confirm) or not all(key[0] in s.moved
-		or holds(s, key, v, now) for key, v in facts(op.note.requires).items()))
-	no(s.tasks or s.latch); s.ops, s.plan, s.acts, s.held, s.ask = [*rest, op], s.plan[on:], 1, 0, 0
-def on_operation_ended(s, e):  # once, and the one before was checked
+	bound = s.h.grounds.functions[op.b]; yes, go = (s.said.pop((kind, a), "  ") for kind in ("confirm",
+		"supervise")); no(bound and e.function not in ("", *s.made.get(a, ()), *bound.values()))
+	no(op.to[1] != e.target or now[op.b] != op.was or a in s.shut or s.bar.get(a) or s.bad or not
+		s.free and (not on or s.paused or a in s.veto) or False in seen or None in seen and not rest
+		or s.acts and not s.again or any((o.how or o.b == op.b) and not o.done for o in rest) or
+		bool(e.function) == (not op.needs or op.level == "human") or go[1] != "go_on" and not (rest or
+		s.free or op.b in s.based) and (go[0] == s.t or level(s, "supervision") == "human") or
+		yes[1] != "confirm" and (op.level == "shared" or op.note.confirm) or not all(key[0] in s.moved
+		or holds(s, key, v, now) for key, v in facts(op.note.requires).items()) or s.tasks or s.latch)
+	s.ops, s.plan, s.acts, s.held, s.ask = [*rest, op], s.plan[on:], 1, 0, 0
+def on_operation_ended(s, e):
 	op, bad, s.acts = ops(s, e.a)[-1], e.outcome != "returned", 0; no(op.how or s.bad)
 	no(e.outcome not in "returned failed raised timed_out cancelled lost".split())
 	no(e.outcome != "cancelled" and not (op.code or op.answer) or any(o.how and not o.done for o in
 		s.ops) or not bad and (op.answer != "done" and (op.answer or s.t <= op.t) or "blueprint" in
 		op.note.binding and op.code and op.below.over != END)); op.how, s.bad = e.outcome, bad
-def on_committed(s, e):  # checked, as bases say
-	done = [s.ops.pop(s.ops.index(ops(s, a)[0])) for a in e.operations]
-	new = {b: at for op in done for b, at in op.new.items()}
-	no(not done or s.bad or s.last.t != s.t or e.configuration != new or due(done) or new.items() -
-		s.seen.items() or broken(s, s.conf | new))
+def on_committed(s, e):
+	done = [s.ops.pop(s.ops.index(ops(s, a)[0])) for a in e.operations]; new = {b: at for op in done
+		for b, at in op.new.items()}; no(not done or s.bad or s.last.t != s.t or e.configuration != new
+		or due(done) or new.items() - s.seen.items() or broken(s, s.conf | new))
 	s.conf, s.moved, s.count = s.conf | new, {*s.moved, *new}, s.count + len(done); safe(s)
 	if not (s.ops or {*new} & {*s.based, *(b for b, _ in s.subs)}): s.free = s.moved = ()
 def on_operation_risky(s, e): no(s.last.reason != e.reason if s.again else not (s.bad and ops(s,
 	e.a)) or (s.last.message or "") not in e.reason); s.ops = ()
-def on_operation_pruned(s, e): s.shut |= {e.a}
 def on_operation_restored(s, e): s.shut, s.veto = s.shut - {e.a}, ()
 def on_mismatch(s, e): no(not e.facts[:1]); s.only = e.candidates
-def on_relocalised(s, e):  # where the facts say, if it may
+def on_relocalised(s, e):
 	at, last = e.configuration, s.last; moved = [b for b in at if at[b] != s.conf.get(b)]
 	adopt = last.event == "mismatch" and s.h.on_mismatch == "adopt" or s.cause.effect == "relocalised?"
 	may = (last.configuration == at if last.event == "given_back" else adopt and s.only == [at] or not
@@ -169,27 +162,34 @@ def arrived(s): no(not s.began or s.ops or s.held or s.latch or s.busy >= s.t or
 	terms(s, s.conf, b) for b in s.conf) or {s.goals[g] for g in s.told} - {*s.conf.items()})
 def on_goal_reached(s, e): no([*s.goals][len(s.told)] != e.goal or not all(terms(s, s.conf,
 	s.goals[e.goal][0]))); s.told = [*s.told, e.goal]; arrived(s); safe(s)
-def on_hazard_met(s, e):  # its facts hold
+def on_hazard_met(s, e):
 	no(facts(e.facts).items() != s.hazards[e.name] or e.name not in hazards(s)); s.met |= {e.name}
-def on_commanded(s, e):  # what somebody wants
+def on_commanded(s, e):
 	s.cause, word, e.effect = e, e.refused and "-" or e.command, EFFECTS[e.command]
 	no(not e.by or e.value and e.command not in WORDS[-12::2]); s.end = e.t if word == "end" else s.end
 	if e.refused and e.command != "answer" and "world is gone" not in e.refused: e.effect = ""
 	if word in ("resume", "step"): s.paused, s.veto = 0, () if s.held else s.veto
 	if word == "veto" and not s.ops: s.veto = *s.veto, e.a
 	s.hand |= word in "ask step stop set_automatic set_cost"; s.ask = e.a if word == "ask" else s.ask
+def on_edge_generated(s, e):  # allowed, without a hazard, and as its name says elsewhere
+	b, at, w = parts(e.a); new, rows, to = facts(e.facts).items(), s.sbs[b].states, s.means[b, e.target]
+	no(s.ops or s.conf[b] != at or w in rows[at] or [e.by] != [*s.last.answers] or s.said.pop((
+		"generate", e.a), 0) != (s.t, "allow") or new ^ (to.items() - s.means[b, at].items()) or any(w in
+		r and new - s.means[b, r[w]].items() for r in rows.values()) or hazards(Map(s, facts=s.facts |
+		to))); s.made |= {e.a: (e.target, e.function)}
 def on_subs_bypassed(s, e): no({*edge(s, e.a).new} ^ {parts(e.a)[0], *e.subs})
 def on_disturbed(s, e): no(s.cause.value != (e.fault or f"{e.target} {e.kind}"))
-def on_held(s, e): no(e.kind not in HOLDS); s.paused, s.held = 0, (e.kind, e.reason)
+def on_held(s, e): s.paused, s.held = no(e.kind not in
+	"held no_route guard_lost goal_unconfirmed hazard".split()), (e.kind, e.reason)
 def on_paused(s, e): no(s.paused); s.paused, s.held = e.event == "paused", 0
 def on_stopped(s, e): s.latch, s.by, s.held, s.ask, s.tasks = e.event, e.by, 0, 0, {}
 def on_reset(s, e): no(not s.latch); s.latch, s.paused = 0, e.event == "reset"
 def on_left_out(s, e): no(s.last.event not in "run_started left_out")
-on_costs_changed = on_operation_refused = on_risk_estimated = on_forecast = on_measured
-HOLDS = {*"held no_route guard_lost goal_unconfirmed hazard".split()}; on_resumed = on_paused
+on_costs_changed = on_operation_refused = on_risk_estimated = on_forecast = lambda *_: 0
+on_measured, on_resumed = on_forecast, on_paused; on_operation_pruned = lambda s, e: s.shut.add(e.a)
 on_taken_over, on_given_back, on_fault_injected = on_stopped, on_reset, on_disturbed
 def on_task_opened(s, e):  # whom the blueprint names
-	its = Map() if e.kind[0] == "s" else s.notes[fact(e.a)] if e.kind == "fact" else edge(s, e.a).note
+	its = Map() if e.kind[0] in "sg" else s.notes[fact(e.a)] if e.kind == "fact" else edge(s, e.a).note
 	roles = its[e.kind if e.kind == "confirm" else "roles"] or [""]
 	no(e.task in s.names or e.role != ", ".join(filter(None, roles)) or e.persons != len(roles))
 	if no(not e.options) or e.kind == "operation": ops(s, e.a)[-1].answer = "open"
@@ -200,30 +200,30 @@ def same(name): return signs.normalize("NFKC", "".join(c for c in signs.normaliz
 	"Cc Cf Zl Zp Zs" and "VARIATION S" not in signs.name(c, "")))
 def each(seats, who): return no(len({*seats}) > 16) or all(sum(s in k for s in seats) <= sum(any(s
 	in one for s in k) for one in who) for n in range(17) for k in itertools.combinations({*seats}, n))
-def on_task_answered(s, e):  # by another one, in time, as that role
+def on_task_answered(s, e):
 	if no(s.cause.refused != e.refused or s.cause.value not in ("", e.task)) or e.refused: return
 	it = s.tasks[e.task]; no(same(e.by) in map(same, it.given) or e.t >= it.deadline)
 	it.given[e.by], given = same(e.role), it.given.values()
 	no(not each(given, [{r, same(it.also) or r} if r else given for r in map(same, it.roles)]))
-def on_task_closed(s, e):  # with the answers of all
+def on_task_closed(s, e):
 	it, said, ok = s.tasks.pop(e.task), {*e.answers.values()}, e.outcome == "answered"
 	no(e.answers and ({*e.answers} != {*it.given} or said - {*it.options}) or e.outcome == "timed_out"
 		and e.t < it.deadline - 1e-5 or ok and (said, len(it.given)) != ({e.answer}, it.persons))
 	if ok: s.said |= {(it.kind, it.a): (e.t, e.answer)}
 	for op in ops(s, it.a)[-1:] * ok: op.answer = e.answer
-def on_run_finished(s, e):  # for a reason that was told
+def on_run_finished(s, e):
 	(kind, held), r, why, late = s.held or "  ", e.reason, e.sentence, s.last.t != e.t
 	cut, told = why.startswith(("The window let", "Stopped in", "Stopped before")), held == why
 	no(not why or s.conf and e.configuration != s.conf or s.tasks and r != "failed" and not cut or
 		e.operations != s.count or late and (not (cut or s.h.attended) or s.last.event == r == END))
-	ends = {"no_route": told and kind == r, "failed": told and not late and s.last.event == kind ==
-		"held", "stopped": cut or s.latch == r and why.startswith(f"Stopped by {s.by}.")}
-	ends |= {"held": told and kind != "no_route" or "nobody is there to " in why, "refused": not
-		(s.count or s.ops) and (not s.began or ("start", "") in s.said), END: s.told == [*s.goals] and
-		why.startswith(", ".join(s.told) + " hold")}; no(not ends[r]); s.over = r; r == END and arrived(s)
+	no(not {"no_route": told and kind == r, "failed": told and not late and s.last.event == kind ==
+		"held", "stopped": cut or s.latch == r and why.startswith(f"Stopped by {s.by}."),
+		"held": told and kind != "no_route" or "nobody is there to " in why, "refused": not (s.count or
+		s.ops) and (not s.began or ("start", "") in s.said), END: s.told == [*s.goals] and
+		why.startswith(", ".join(s.told) + " hold")}[r]); s.over = r; r == END and arrived(s)
 def story(known, of, h, at): return Map(known[of], known=known, h=h, at=at, shut={*h.avoid},
 	tasks={}, plan=(), met=set(), last=Map(t=0), cause=Map(effect=""), t=0, end=2**53, hand=0, count=0)
-def tell(known, raw, files=()):  # a log of what is here
+def tell(known, raw, files=()):
 	h, events = lines(raw); of = h.digests; no(not raw.startswith(b'{"log":"smsl-run","version":3,'))
 	no([of[p] for p in PARTS[1:]] not in [c.hexes[1:] for c in known.values()] or files and {of.file,
 		*of.imported.values()} - files, "its blueprint is not here")
@@ -241,7 +241,7 @@ def trusted():  # 4 THE RECORDS: whose keys count
 	for n in (p.persons, *p.roles.values()): fits("persons", n); no(not 0 < n <= 1000)
 	mine = own and opened(read(load("register.json")), ring([{"keys": [own]}]), "smsl-studio.register")
 	return p, ring(read(mine[0] if own else load("keys.json")).persons)
-def opened(dsse, keys, kind="in-toto"):  # what a known key has signed
+def opened(dsse, keys, kind="in-toto"):
 	from cryptography.hazmat.primitives.asymmetric.ed25519 import Ed25519PublicKey as Key
 	(one,), kind, body = dsse.signatures, f"application/vnd.{kind}+json", raw_of(dsse.payload)
 	no(len(dsse) != 3 or dsse.payloadType != kind or len(one) != 2); key = keys[one.keyid]
@@ -250,7 +250,7 @@ def opened(dsse, keys, kind="in-toto"):  # what a known key has signed
 def void(key, at, p, body=b"", them=()):  # revoked, or too late
 	return {one[-64:] for one in p.revoked} & {sha(raw_of(key.key)), sha(body), *(hex for one in them
 		for hex in one.digest.values())} or key.revoked or at > when(key.until or "9999-12-30")
-def recorder(h):  # who signed the head
+def recorder(h):
 	p, keys = trusted(); body, key = opened(h.signed, keys, "smsl-studio.log-head"); no(body != h.head)
 	return no(key.roles != ["recorder"] or void(key, when(h.wall_time), p)) or key.person
 def judge(known, h, of, day=0, bot={"automatic", "recorder"}):  # why it is not approved
@@ -279,7 +279,8 @@ def judge(known, h, of, day=0, bot={"automatic", "recorder"}):  # why it is not 
 def files(way): return sorted(p for p in pathlib.Path().glob(way) if p.is_file() > p.is_symlink())
 def load(n): p = pathlib.Path(n); return p.read_bytes() if p.is_file() > p.is_symlink() else b""
 def main():  # 5 THE FOLDER
-	wrong, records = [], files("records/**/*"); said = [f"Not checked: {one}." for one in NOT_CHECKED]
+	wrong, records, said = [], files("records/**/*"), ["Not checked: reception over MQTT or from " +
+		"measures.", "Not checked: costs of routes."]
 	def tried(place, act, *given):
 		try: return act(*given)
 		except Exception as error: wrong.append(f"{place}: {str(error) or repr(error)}"[:500])
@@ -288,13 +289,12 @@ def main():  # 5 THE FOLDER
 	hexes = {b"", *(tried(one, lambda: sha(load(one))) for one in files("blueprint/**/*"))}
 	logs = [tried(one, lambda: tell(known, load(one), hexes)) or Map() for one in files("logs/*")]
 	said += [f"The head of a log is signed by {h.signed and tried('head', recorder, h) or 'nobody'}."
-		for h in logs]; page = load("report.html")
-	tried("report.html", no, page and sha(page).encode() not in load("README.txt"))
+		for h in logs] + ["No log."] * (not logs) + ["No policy: one signature counts."] * (not load(
+		"policy.toml")) + ["No record: nobody has approved this blueprint."] * (not records)
+	tried("report.html", no, (p := load("report.html")) and sha(p).encode() not in load("README.txt"))
 	for log in (logs or [Map()]) * bool(records or files("policy.toml")):
 		for one in log.about or [c for c in known if load(known[c].record)] or known or ["content"]:
 			tried("records", lambda: no(why := judge(known, log, one), why))
-	said += ["No log."] * (not logs) + ["No policy: one signature counts."] * (not load("policy.toml"))
-	said += ["No record: nobody has approved this blueprint."] * (not records)
 	for line in *said, *wrong, "Not consistent." if wrong else "Consistent.": print(ascii(line)[1:-1])
 	return bool(wrong)
 if __name__ == "__main__": sys.exit(main())

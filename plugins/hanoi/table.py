@@ -16,7 +16,7 @@ from smsl_studio.world.protocol import Vector
 from smsl_studio.world.reach import refuse_unreached
 from smsl_studio.world.stations import Station
 
-from .disks import CLEAR, PEGS, TIPS, Disk, cap_body, disks_for, peg_body, pegs_for
+from .disks import CLEAR, MIDDLE, PEGS, TIPS, Disk, cap_body, disks_for, peg_body, pegs_for
 
 if TYPE_CHECKING:
     from smsl_studio.world.bullet import BulletWorld
@@ -103,6 +103,8 @@ class Table:
 
     def arrange(self, pegs: Mapping[Disk, str]) -> None:
         """Begin again with each ring at rest on its peg, smaller rings above larger rings.
+
+        A ring on no peg lies flat beside the pegs, towards the robot.
 
         Equal pegs and an equal seed give an equal table. Earlier events do not matter.
         """
@@ -206,8 +208,13 @@ class Table:
         drawn = np.random.default_rng(self.seed).uniform(-JITTER, JITTER, (len(self.disks), 2))
         jitter, gap = drawn * self.size, 0.0005 * self.size
         height = dict.fromkeys(PEGS, gap)
+        beside = iter(PEGS)
         for disk in reversed(self.disks):
             peg = pegs.get(disk, "")
+            if peg == NOWHERE:
+                y = self.pegs[next(beside, "c")][1]
+                yield disk, (MIDDLE - 0.10 * self.size, y, disk.thickness / 2 + 2 * gap)
+                continue
             if peg not in PEGS:
                 raise WorldError(
                     f"disk {disk.number} cannot start on {peg!r}: there are the pegs a, b and c"

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping
 from typing import NamedTuple
 
 from smsl_studio.blueprint.address import Address, fact_text
-from smsl_studio.blueprint.continuum import DEFAULTS, FORECAST, LEVELS
+from smsl_studio.blueprint.continuum import DEFAULTS, FORECAST, GENERATION, LEVELS
 from smsl_studio.blueprint.levels import Levels, digit_of
 from smsl_studio.blueprint.model import Blueprint
 
@@ -40,7 +40,7 @@ def _elements(blueprint: Blueprint, key: str) -> Iterator[tuple[str, Own]]:
     """Yield the elements of a key of ``Levels``. Each operation of a name is one."""
     if key == FORECAST:
         return
-    if key in DEFAULTS:
+    if key in DEFAULTS or key == GENERATION:
         yield key, key
         return
     name, *parts = Address.split(key)

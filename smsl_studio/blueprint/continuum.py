@@ -10,13 +10,18 @@ from types import MappingProxyType
 
 HUMAN, SHARED, AUTOMATIC = LEVELS = ("human", "shared", "automatic")
 INSPECTION, SUPERVISION = "inspection", "supervision"
-FORECAST = "forecast"
+FORECAST, GENERATION = "forecast", "generation"
 SHOW, ASK, HOLD = FORECAST_LEVELS = ("show", "ask", "hold")
 """What a forecast that differs does, the most careful last: it is told alone, a person is asked, or
 the run holds. These are the levels of the key ``forecast``."""
 
 DEFAULTS: Mapping[str, str] = MappingProxyType({INSPECTION: AUTOMATIC, SUPERVISION: SHARED})
 """The levels if none are declared: rules alone inspect, and a person may intervene at any tick."""
+
+GENERATES = SHARED
+"""Who makes edges during a run, if nothing is declared: a provider proposes them, and a person
+allows each. With ``human`` no program proposes any. With ``automatic`` a person allows each, too.
+"""
 
 OF_ACTOR = {"human": HUMAN, "shared": SHARED}
 NOTHING: Mapping[str, str] = MappingProxyType({})

@@ -18,6 +18,8 @@ from smsl_studio.blueprint.continuum import (
     DEFAULTS,
     FORECAST,
     FORECAST_LEVELS,
+    GENERATES,
+    GENERATION,
     HUMAN,
     INSPECTION,
     LEVELS,
@@ -35,7 +37,7 @@ if TYPE_CHECKING:
 class Levels:
     """The level of each element of a blueprint, computed when it is asked for.
 
-    Keys are ``inspection``, ``supervision``, ``forecast``, ``SB/digit`` (a fact),
+    Keys are ``inspection``, ``supervision``, ``generation``, ``forecast``, ``SB/digit`` (a fact),
     ``SB/State/Operation``, or ``SB/Operation`` for every edge of that name; the level of a single
     edge counts first.
     ``before`` has the levels that are set before a run. They count before ``_levels`` of the files,
@@ -59,6 +61,19 @@ class Levels:
     def supervision(self) -> str:
         """Who supervises a run: ``human``, ``shared`` or ``automatic``."""
         return self._of(SUPERVISION) or DEFAULTS[SUPERVISION]
+
+    @property
+    def generation(self) -> str:
+        """Who makes edges during a run (see ``continuum.GENERATES``): ``human``, ``shared`` or
+        ``automatic``.
+        """
+        return self._of(GENERATION) or GENERATES
+
+    def of(self, blueprint: Blueprint) -> Levels:
+        """Return the same levels of a blueprint with more edges."""
+        found = Levels(blueprint)
+        found._said = self._said
+        return found
 
     def forecast(self, edge: Address) -> str:
         """Return the level of the forecast of an edge (see ``continuum.FORECAST_LEVELS``), empty
@@ -222,14 +237,14 @@ def fault_of(blueprint: Blueprint, key: str, level: object) -> LevelFault | None
         return LevelFault(
             f"{level!r} is no level of {key}", lambda: did_you_mean(said, known) or choice
         )
-    if key in DEFAULTS or key == FORECAST:
+    if key in (*DEFAULTS, FORECAST, GENERATION):
         return None
     parts = Address.split(key)
     branch = blueprint.branches.get(parts[0])
     if len(parts) == 1 or branch is None:
         return LevelFault(
             f"{key!r} has no level: it is no operation and no fact",
-            lambda: did_you_mean(parts[0], (*DEFAULTS, FORECAST, *blueprint.branches)),
+            lambda: did_you_mean(parts[0], (*DEFAULTS, FORECAST, GENERATION, *blueprint.branches)),
         )
     digit = digit_of(branch, parts[1]) if len(parts) == 2 else None
     if digit is not None:

@@ -271,9 +271,9 @@ def schema() -> Json:
                 "type": "object",
                 "properties": {"forecast": {"enum": list(FORECAST_LEVELS)}},
                 "additionalProperties": {"enum": list(LEVELS)},
-                "description": "Who does, senses, inspects and supervises: by inspection, "
-                "supervision, SB/digit, SB/Operation or SB/State/Operation. And the level of "
-                "forecasts.",
+                "description": "Who does, senses, inspects, supervises and generates: by "
+                "inspection, supervision, generation, SB/digit, SB/Operation or "
+                "SB/State/Operation. And the level of forecasts.",
             },
         },
         "patternProperties": {"^_": True},

@@ -63,6 +63,13 @@ def add_arguments(parser: ArgumentParser) -> None:
         help="try each operation in a simulated world first; where the forecast differs: tell it, "
         "ask a person, or hold",
     )
+    parser.add_argument(
+        "--generate",
+        default="",
+        metavar="PROVIDER",
+        help="where no way leads to the goal, ask for further library operations: reader, "
+        "by-hand:DIR, replay:FILE or a base URL; a person allows each, for this run only",
+    )
     parser.add_argument("--log", metavar="FILE", help="write the run's log, JSON Lines")
     parser.add_argument(
         "--policy", metavar="FILE", help="start only if this trust policy is met (see: verify)"
@@ -197,6 +204,7 @@ def _execute(options: argparse.Namespace, told: _ToldEvents) -> int:
         passphrase=words,
         robot=options.robot,
         forecast=options.forecast,
+        generate=options.generate,
         address=options.address,
         token_file=options.token_file,
     )

@@ -19,6 +19,7 @@ from smsl_studio.blueprint.hazards import guard_hazards
 from smsl_studio.blueprint.levels import Levels
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.dispatch.drive.driver import Driver
+from smsl_studio.dispatch.drive.generation import EdgeProposer
 from smsl_studio.dispatch.drive.review import Reviewer
 from smsl_studio.dispatch.drive.start import begin_run
 from smsl_studio.dispatch.drive.supervisor import Supervisor
@@ -186,8 +187,17 @@ class Dispatcher(Commands):
         """Free the host and the supervisor. A second call does nothing."""
         try:
             self._reviewer.close()
+            if self._driver is not None:
+                self._driver.generation.close()
+            elif self._terms.proposer is not None:
+                self._terms.proposer.close()
         finally:
             self.host.close()
+
+    @property
+    def proposer(self) -> EdgeProposer | None:
+        """Who proposes edges where no way leads to the goals, None for nobody."""
+        return self._driver.generation.proposer if self._driver else self._terms.proposer
 
     @property
     def opened(self) -> OpenedWorld | None:

@@ -22,6 +22,7 @@ from smsl_studio.host.protocol import (
     RETURNED,
     RUNNING,
     Bound,
+    Extending,
     Happened,
     Host,
     OpenedWorld,
@@ -156,6 +157,11 @@ class NestedHost:
     def suppose(self, edge: Address) -> None:
         """Make the guard of an edge agree."""
         self.inner.suppose(edge)
+
+    def extend(self, edge: Address, target: str) -> tuple[Bound | None, bool]:
+        """Let the host inside bind one more edge, if it can."""
+        inner = self.inner
+        return inner.extend(edge, target) if isinstance(inner, Extending) else (None, False)
 
     def poses(self) -> tuple[float, ...]:
         """Return the newest poses of the world."""

@@ -32,16 +32,19 @@ MOST_OPERATIONS = 2_000
 _HERE = "State_here"
 
 
-def bound_names(loaded: Loaded, world: str, branch: StateBranch) -> tuple[str, ...]:
+def bound_names(
+    loaded: Loaded, world: str, branch: StateBranch, *, recovery: bool = False
+) -> tuple[str, ...]:
     """Return the names of all operations that a world binds, with arguments from facts and their
-    values. UsageError if there are too many."""
+    values. Those registered for recovery are left out, if not asked for. UsageError if there are
+    too many."""
     found: dict[str, None] = {}
     skipped: set[str] = set()
     for plugin in loaded.serving(world):
         for entry in plugin.library.operations:
             for name in _names(entry, branch):
                 heed()
-                (skipped.add(name) if entry.recovery else found.setdefault(name))
+                (skipped.add(name) if entry.recovery and not recovery else found.setdefault(name))
                 if len(found) > MOST_OPERATIONS:
                     raise UsageError(
                         f"the world {world} has more than {MOST_OPERATIONS:,} operations with all "
@@ -49,6 +52,17 @@ def bound_names(loaded: Loaded, world: str, branch: StateBranch) -> tuple[str, .
                         advice="Take a blueprint with fewer facts or values.",
                     )
     return tuple(name for name in found if name not in skipped)
+
+
+def recovery_names(loaded: Loaded, world: str, branch: StateBranch) -> frozenset[str]:
+    """Return the names of the operations that a world binds for recovery."""
+    return frozenset(
+        name
+        for plugin in loaded.serving(world)
+        for entry in plugin.library.operations
+        if entry.recovery
+        for name in _names(entry, branch)
+    )
 
 
 def _names(entry: OperationEntry, branch: StateBranch) -> Iterator[str]:

@@ -65,7 +65,8 @@ event, h the header of a log, p the policy. What the story notes of a step: acts
 work), bad (a check or an operation has failed), op.code (its function), op.how (its outcome), op.to
 (where it leads), op.new (where it leaves every State Branch), moved (the State Branches that have
 moved in this step), veto (what somebody does not want just now), bar (what a guard closes), hand
-(somebody goes step by step), end (when it is over, because somebody has said so).
+(somebody goes step by step), end (when it is over, because somebody has said so), made (the edges
+that a person has let count in this run, with where each leads and its function).
 
 sha, once, read, plain, text, parts, fact and facts read and write texts; text writes an address,
 which has one spelling, and raw_of reads base64, which has one too. fits asks whether a value has

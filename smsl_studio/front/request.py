@@ -50,6 +50,8 @@ class RunRequest:
     the log (see ``log_seals``). ``robot`` is the robot to build the world with; empty means the
     usual one of the world. ``forecast`` is the level at which each operation is tried in a
     simulated world before it begins (see ``foresight``): show, ask or hold; empty means never.
+    ``generate`` is who proposes edges where no way leads to the goals (see ``edge_proposer``);
+    empty means nobody.
     ``address`` (``unix:PATH`` or ``HOST:PORT``) is where the program of the world remote listens,
     and ``token_file`` has the token that it asks for.
 
@@ -85,6 +87,7 @@ class RunRequest:
     seal: Seal | None = field(default=None, repr=False)
     robot: str = ""
     forecast: str = ""
+    generate: str = ""
     address: str = ""
     token_file: str = ""
 
@@ -92,6 +95,11 @@ class RunRequest:
     def asks_approval(self) -> bool:
         """Whether the blueprint must be approved before the run starts."""
         return self.policy is not None or self.record is not None
+
+    @property
+    def may_be_hardware(self) -> bool:
+        """Whether a program elsewhere may be hardware. Its host asks it before it is opened."""
+        return self.world == REMOTE and self.trust is not None and not self.trust.barred
 
     @property
     def supervised(self) -> bool:
@@ -162,6 +170,7 @@ class RunRequest:
             "supervisor": self.supervisor.name if self.supervisor else self.person,
             **({"robot": self.robot} if self.robot else {}),
             **({"forecast": self.forecast} if self.forecast else {}),
+            **({"generate": self.generate} if self.generate else {}),
             **({"address": self.address} if self.address else {}),
         }
 

@@ -24,7 +24,8 @@ class RunTrust:
     blueprint, and whose keys count. ``loaded`` has the plugins as they were verified. ``bindings``
     is the bindings file that was signed, and ``speakers`` the nodes that its room lets speak for a
     source. ``hardware`` says that the world counts as hardware.
-    ``badge`` has the words of the approval badge.
+    ``badge`` has the words of the approval badge. ``generated_edges`` is what the policy says about
+    edges that are generated in a run: never or confirmed.
     """
 
     refusals: tuple[Refusal, ...] = ()
@@ -37,6 +38,7 @@ class RunTrust:
     hardware: bool = False
     badge: str = ""
     speakers: Mapping[SourceKey, str] | None = None
+    generated_edges: str = "never"
 
     @property
     def barred(self) -> str:

@@ -24,6 +24,7 @@ from smsl_studio.front.headless import StopAsked, to_its_end
 from smsl_studio.front.hosts import known_world, make_host, with_robot
 from smsl_studio.front.inputs import refuse_nonsense
 from smsl_studio.front.log_seals import seal_of_logs
+from smsl_studio.front.proposed_edges import keep_answers, proposer_of
 from smsl_studio.front.recorder import Recorder, start_log
 from smsl_studio.front.request import (
     RunRequest,
@@ -89,6 +90,7 @@ def open_run(
     spare: Spare | None = None,
     robot: str = "",
     forecast: str = "",
+    generate: str = "",
 ) -> Dispatcher:
     """Return a dispatcher that is ready to ``open``. The caller ticks it and closes it.
 
@@ -127,6 +129,7 @@ def open_run(
         plugin_paths=tuple(plugin_paths),
         robot=robot,
         forecast=forecast,
+        generate=generate,
     )
     return open_request(request, loaded, spare)
 
@@ -163,9 +166,10 @@ def open_request(
         findings=to_accept(blueprint, chosen),
         left_out=left_out(blueprint),
         approved=trust is not None,
-        hardware=trust is not None and (trust.hardware or _may_be_hardware(checked)),
+        hardware=trust is not None and (trust.hardware or checked.may_be_hardware),
         met=trust.met if trust is not None else (),
         foresight=_foresight(checked, loaded, chosen),
+        proposer=proposer_of(checked, loaded),
     )
     supervisor = checked.supervisor
     if checked.agents and isinstance(supervisor, Agents):
@@ -180,11 +184,6 @@ def open_request(
             supervisor.close()
         raise
     return Dispatcher(blueprint, host, terms, levels=chosen, supervisor=supervisor)
-
-
-def _may_be_hardware(request: RunRequest) -> bool:
-    """Whether a program elsewhere may be hardware. Its host asks it before it is opened."""
-    return request.world == REMOTE and request.trust is not None and not request.trust.barred
 
 
 def _foresight(request: RunRequest, loaded: Loaded | None, levels: Levels) -> Foresight | None:
@@ -221,6 +220,7 @@ def run(
     passphrase: bytes = b"",
     robot: str = "",
     forecast: str = "",
+    generate: str = "",
     address: str = "",
     token_file: str = "",
 ) -> Run:
@@ -272,6 +272,7 @@ def run(
         seal=None if log is None else seal_of_logs(passphrase),
         robot=robot,
         forecast=forecast,
+        generate=generate,
         address=address,
         token_file=token_file,
     )
@@ -332,6 +333,7 @@ def run_request(
     finally:
         try:
             if dispatcher is not None:
+                keep_answers(request, dispatcher)
                 dispatcher.close()
         finally:
             recording.close()
@@ -358,11 +360,8 @@ def trusted_request(request: RunRequest) -> RunRequest:
 
 
 def _with_plugins(request: RunRequest) -> tuple[RunRequest, Loaded | None]:
-    """Return the request, and the plugins of its world.
-
-    Signed code may have changed since it was verified. Then it is not loaded, and the request is
-    refused.
-    """
+    """Return the request, and the plugins of its world. Signed code that has changed since it was
+    verified is not loaded, and the request is refused."""
     world, paths, trust = request.world, request.plugin_paths, request.trust
     if trust is None:
         return request, known_world(world, paths, request.host)

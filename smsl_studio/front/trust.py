@@ -57,6 +57,7 @@ def with_trust(request: RunRequest) -> RunRequest:
         answer.survey.code is not None and answer.survey.code.hardware,
         words_of(answer, request.blueprint).words,
         answer.survey.speakers,
+        answer.trust.grounds.policy.generated_edges if answer.trust is not None else "never",
     )
     return replace(request, trust=told)
 

@@ -16,6 +16,7 @@ from dataclasses import replace
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.configuration import Hierarchy
 from smsl_studio.blueprint.levels import Levels
+from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.dispatch.dispatcher import Dispatcher
 from smsl_studio.dispatch.drive.foresight import ASKS
 from smsl_studio.errors import HostError, StudioError, WorldError
@@ -91,6 +92,13 @@ class Twin:
         except BaseException:
             self.close()
             raise
+
+    def extend(self, blueprint: Blueprint) -> None:
+        """Predict from now on with a blueprint that has one more edge, in a world that is built
+        anew."""
+        self.close()
+        self._request = replace(self._request, blueprint=blueprint)
+        self._hierarchy = Hierarchy(blueprint)
 
     def close(self) -> None:
         """Free the world. A second call does nothing; a later forecast builds it again."""

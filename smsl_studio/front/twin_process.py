@@ -10,9 +10,11 @@ import os
 import threading
 from collections.abc import Callable, Mapping
 from contextlib import suppress
+from dataclasses import replace
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.continuum import FORECAST_LEVELS
+from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.dispatch.drive.foresight import Foresight
 from smsl_studio.errors import HostError, StudioError, UsageError, did_you_mean
 from smsl_studio.front.hosts import recipe_of
@@ -89,6 +91,13 @@ class TwinProcess:
     def onward(self, edge: Address) -> Prediction | None:
         """Carry out an operation from where the last forecast ended (see ``Twin.onward``)."""
         return self._found(("onward", edge)) if self._child is not None else None
+
+    def extend(self, blueprint: Blueprint) -> None:
+        """Predict from now on with a blueprint that has one more edge, in another child."""
+        self.close()
+        with self._using:
+            self._request = replace(self._request, blueprint=blueprint)
+            self._codec, self._asks = answer_of(blueprint), None
 
     def close(self) -> None:
         """End the child. A second call does nothing; a later forecast starts another one."""

@@ -152,6 +152,7 @@ class RunAnswers:
             "inject": nothing(),
             "costs": priced,
             "suppose": nothing(),
+            "extend": row(optional(bound), flag()),
         }
 
     def opened(self, opened: OpenedWorld) -> None:

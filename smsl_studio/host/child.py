@@ -20,6 +20,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from smsl_studio.blueprint.address import Address
+from smsl_studio.blueprint.editing.generated_edges import with_edge
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.blueprint.reading import read_gathered
 from smsl_studio.errors import HostError, Place, StudioError
@@ -29,7 +31,7 @@ from smsl_studio.host.brief import brief
 from smsl_studio.host.codec import Codec, Unfit, nothing
 from smsl_studio.host.confinement import confine
 from smsl_studio.host.local import LocalHost
-from smsl_studio.host.protocol import OpenedWorld, Outcome, Tick
+from smsl_studio.host.protocol import Bound, OpenedWorld, Outcome, Tick
 from smsl_studio.host.wire import ChildWire
 from smsl_studio.library.bindings_file import BindingsFile
 from smsl_studio.library.loaded import Loaded
@@ -155,6 +157,7 @@ class _Child:
         self.host = LocalHost(blueprint, recipe.world, recipe.seed, paths, loaded, file)
         self.host.choose(recipe.robot)
         self.host.carry(parts)
+        self._blueprint, self._parts = blueprint, parts
         self._run = RunAnswers(blueprint, *parts)
         self._answers = self._run.of
         self._verbs |= {
@@ -167,6 +170,7 @@ class _Child:
             "inject": self.inject,
             "costs": self.host.costs,
             "suppose": self.host.suppose,
+            "extend": self.extend,
         }
         with contextlib.suppress(StudioError):
             self.host.prepare()
@@ -175,6 +179,7 @@ class _Child:
         """Put the world into its start states. Return also its first status and first picture."""
         opened = self.host.open(start)
         self._run.opened(opened)
+        self._world = opened
         self._status = dict(self.host.status())
         return opened, self._status, self.host.poses()
 
@@ -186,6 +191,15 @@ class _Child:
         self._drawn, before = now, self._status
         self._status = dict(self.host.status())
         return tick, (self._status if self._status != before else None), self.host.poses()
+
+    def extend(self, edge: Address, target: str) -> tuple[Bound | None, bool]:
+        """Bind one more edge. Later answers may name it."""
+        found = self.host.extend(edge, target)
+        self._blueprint = with_edge(self._blueprint, edge, target)
+        self._run = RunAnswers(self._blueprint, *self._parts)
+        self._run.opened(self._world)
+        self._answers = self._run.of
+        return found
 
     def disturb(self, target: str, kind: str, parameters: dict[str, Any]) -> tuple[str, ...]:
         """Disturb the sensors of a name or a fact, and return their names."""

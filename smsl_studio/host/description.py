@@ -86,6 +86,7 @@ OPERATION = mapped(
         PATIENCE,
         flag(),
         several(PATTERN, MOST),
+        flag(),
     ),
     lambda one: (
         one.name,
@@ -95,6 +96,7 @@ OPERATION = mapped(
         one.timeout,
         one.resumes,
         tuple(pattern.text for pattern in one.touches),
+        one.recovery,
     ),
     lambda told: _operation(*told),
 )
@@ -208,11 +210,13 @@ def read_description(data: bytes, found: FoundPlugin) -> Plugin | PluginFault:
 
 
 def _operation(called: str, text: str | None, signature: Signature, *others: Any) -> OperationEntry:
-    stop, timeout, resumes, touches = others
+    stop, timeout, resumes, touches, recovers = others
     pattern = None if text is None else _pattern(text, signature)
     facts = tuple(_pattern(one, signature) for one in touches)
     code = AbsentCode(called)
-    return OperationEntry(code, called, pattern, signature, stop, timeout, resumes, facts)
+    return OperationEntry(
+        code, called, pattern, signature, stop, timeout, resumes, facts, recovery=recovers
+    )
 
 
 def _library(

@@ -24,6 +24,10 @@ class GuardFunctions:
         """Return whether any edge has a guard."""
         return bool(self._bound)
 
+    def add(self, edge: Address, bound: BoundOperation) -> None:
+        """Ask about one more edge, which has a guard."""
+        self._bound[edge] = bound
+
     def ask(self, subject: Any) -> dict[Address, str]:
         """Ask every guard about the world ``subject``. Return the reasons that have changed since
         the last call; an empty one opens the edge."""

@@ -14,8 +14,10 @@ from typing import Any
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.check import FactKey
+from smsl_studio.blueprint.editing.generated_edges import with_edge
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.errors import HostError, RunRefused, StudioError
+from smsl_studio.host.bound_edges import bounds_of
 from smsl_studio.host.brief import finite, short_words
 from smsl_studio.host.call import Call
 from smsl_studio.host.call_context import HostErrors, prints_aside
@@ -213,6 +215,19 @@ class LocalHost:
         with prints_aside():
             self._injecting.inject(self._subject, fault, parameters)
 
+    def extend(self, edge: Address, target: str) -> tuple[Bound | None, bool]:
+        """Bind one more edge (see ``Extending``). Nothing of the library runs."""
+        self._standing()
+        self._blueprint, self._bindings = with_edge(self._blueprint, edge, target), None
+        with prints_aside():
+            found = self._bind().operations.get(edge)
+        if found is None:
+            return None, False
+        guarded = found.available is not None
+        if guarded:
+            self._guarding.add(edge, found)
+        return self._bound[edge], guarded
+
     def costs(self, scene: Mapping[str, str | None], happened: Sequence[Happened]) -> Priced:
         """Ask the cost functions and the guards. Return the answers that have changed since the
         last call."""
@@ -305,7 +320,7 @@ class LocalHost:
             file = None if table else self._file or bindings_beside(self._blueprint.file)
             own = bind(self._blueprint, self._plugins(), self._name, file)
             self._bindings = joined(own, self._part_bindings()) if self._parts else own
-            self._bound = _bounds(self._bindings)
+            self._bound = bounds_of(self._bindings)
         return self._bindings
 
     def _part_bindings(self) -> list[Bindings]:
@@ -357,22 +372,6 @@ class LocalHost:
         """Return a context that turns every error of library code into a HostError, except errors
         of the class ``passes``."""
         return HostErrors(f"the world {self._name!r} {what}", self._location, passes)
-
-
-def _bounds(bindings: Bindings) -> dict[Address, Bound]:
-    same: dict[Bound, Bound] = {}
-    found: dict[Address, Bound] = {}
-    for edge, function in bindings.operations.items():
-        bound = Bound(
-            function.name,
-            function.exact,
-            function.stop,
-            function.timeout,
-            function.resumes,
-            function.touches,
-        )
-        found[edge] = same.setdefault(bound, bound)
-    return found
 
 
 def _info(sensor: BoundSensor) -> SensorInfo:

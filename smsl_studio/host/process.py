@@ -20,6 +20,7 @@ from pathlib import Path
 from typing import Any
 
 from smsl_studio.blueprint.address import Address
+from smsl_studio.blueprint.editing.generated_edges import with_edge
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.errors import HostError
 from smsl_studio.host.answers import CRASHED, LOADS, REFUSED, RunAnswers
@@ -27,7 +28,14 @@ from smsl_studio.host.child import Recipe
 from smsl_studio.host.codec import Unfit
 from smsl_studio.host.exit_words import ending_words
 from smsl_studio.host.patience import Patience
-from smsl_studio.host.protocol import Happened, OpenedWorld, Outcome, Priced, Tick
+from smsl_studio.host.protocol import (
+    Bound,
+    Happened,
+    OpenedWorld,
+    Outcome,
+    Priced,
+    Tick,
+)
 from smsl_studio.host.spare import Spare
 from smsl_studio.host.started_child import Child, start_child
 from smsl_studio.host.wire import NoAnswer, WireFrame
@@ -120,6 +128,7 @@ class ProcessHost:
         self._gone: HostError | None = None
         self._doing = ""
         self._opened = False
+        self._world: OpenedWorld | None = None
         self._idle = Patience(terms.silence_limit)
         self._using = threading.RLock()
         self._closing = False
@@ -147,6 +156,7 @@ class ProcessHost:
                 raise self._lost(f"the simulation process opened the world {opened.world!r}")
             assert self._answers is not None
             self._answers.opened(opened)
+            self._world = opened
             self._ticks, self._step = 0, opened.tick
             self._opened, self._idle = True, self._pulse()
             return opened
@@ -198,6 +208,15 @@ class ProcessHost:
     def suppose(self, edge: Address) -> None:
         """Make the guard of an edge agree, as ``LocalHost.suppose`` does."""
         self._ask("suppose", edge)
+
+    def extend(self, edge: Address, target: str) -> tuple[Bound | None, bool]:
+        """Bind one more edge, as ``LocalHost.extend`` does. The child may name it from then on."""
+        found: tuple[Bound | None, bool] = self._ask("extend", edge, target)
+        self._blueprint = with_edge(self._blueprint, edge, target)
+        assert self._world is not None, "the world is open"
+        self._answers = RunAnswers(self._blueprint, *self._terms.parts)
+        self._answers.opened(self._world)
+        return found
 
     def poses(self) -> tuple[float, ...]:
         """Return the newest poses that the child has sent."""

@@ -176,6 +176,17 @@ class Telling(Protocol):
         ...
 
 
+@runtime_checkable
+class Extending(Protocol):
+    """A host that takes further edges while its world stands."""
+
+    def extend(self, edge: Address, target: str) -> tuple[Bound | None, bool]:
+        """Bind one more edge, from now on. Return its function, None if the library has none for
+        it, and whether a guard of the plugin is asked about it. The blueprint can have this
+        edge."""
+        ...
+
+
 class Host(Protocol):
     """A place where a world and library code run. Its methods raise HostError if the host is gone
     or does not answer."""

@@ -18,6 +18,8 @@ from smsl_studio.blueprint.address import Address, fact_text, split_fact
 from smsl_studio.blueprint.check import FactKey
 from smsl_studio.errors import HostError, UsageError
 from smsl_studio.host.protocol import (
+    Bound,
+    Extending,
     Happened,
     Host,
     OpenedWorld,
@@ -241,6 +243,11 @@ class WithRemote:
     def suppose(self, edge: Address) -> None:
         """Make the guard of an edge agree."""
         self.inner.suppose(edge)
+
+    def extend(self, edge: Address, target: str) -> tuple[Bound | None, bool]:
+        """Let the host inside bind one more edge, if it can."""
+        inner = self.inner
+        return inner.extend(edge, target) if isinstance(inner, Extending) else (None, False)
 
     def poses(self) -> tuple[float, ...]:
         """Return the newest poses of the world."""

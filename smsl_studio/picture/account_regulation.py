@@ -112,6 +112,9 @@ WORDS: Mapping[type[Event], Callable[[Any], str]] = MappingProxyType(
     {
         run.RiskEstimated: _risk,
         run.ForecastTold: _forecast,
+        run.EdgeGenerated: lambda e: (
+            f"{e.address} to {e.target} counts in this run, as {e.provider} has proposed it"
+        ),
         run.TakenOver: lambda e: "Automation is locked out; the dispatcher only observes",
         run.GivenBack: lambda e: f"Given back in {states(e.configuration)}",
         run.RunStopped: lambda e: "The run is stopped and braked",

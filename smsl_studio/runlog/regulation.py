@@ -51,6 +51,26 @@ class ForecastTold(Event):
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class EdgeGenerated(Event):
+    """A person has allowed an edge that the blueprint does not have. It counts from here to the end
+    of this run.
+
+    ``provider`` has proposed it, and ``proposal`` is the SHA-256 of its answer. ``function`` is
+    what the library binds to it. ``facts`` are the facts (``SB/digit``) that it changes, with their
+    new values. ``by`` is the person.
+    """
+
+    event: ClassVar[str] = "edge_generated"
+    address: str
+    target: str
+    function: str
+    facts: Mapping[str, str]
+    by: str
+    provider: str
+    proposal: str
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Commanded(Event):
     """Somebody has given a command. ``refused`` says why it was not carried out, and is empty if it
     was.

@@ -40,7 +40,7 @@ IMPOSSIBLE = [
     ("chess", ["0B0B", "AB0B"], STAR, "both pieces would be in one place, on block 0"),
     ("chess", ["0T0T", "AB0B"], STAR, "a piece on top needs the other one below it"),
     ("chess", ["0TaB", "AB0B"], STAR, "a piece on top needs the other one below it"),
-    ("hanoi", ["xaa", "baa"], "Op_1b", "disk 1 cannot start on 'x'"),
+    ("hanoi", ["haa", "baa"], "Op_1b", "disk 1 cannot start on 'h'"),
     ("river", ["hhhh", "00B0"], STEVE, "grass cannot start at 'h'"),
     ("registration", ["0001", "1001"], PLAN, "a registration needs planned and digitized"),
 ]

@@ -62,10 +62,10 @@ def test_true_stories_of_every_end_verify(true_logs: list[bytes]) -> None:
     assert {Story.of(raw).end["reason"] for raw in true_logs} == ENDS
     told = Counter(one["event"] for raw in true_logs for one in Story.of(raw).events)
     rare = {"costs_changed", "task_escalated", "within", "measured", "risk_estimated",
-            "forecast"}  # fmt: skip
+            "forecast", "edge_generated"}  # fmt: skip
     """``within`` has its true stories in ``tests/front/test_procedures.py``, ``measured`` in
     ``tests/library/test_measures.py``, ``risk_estimated`` in ``tests/front/agents``, forecasts in
-    ``tests/front/test_forecasts.py``."""
+    ``tests/front/test_forecasts.py``, ``edge_generated`` in ``tests/front/test_online.py``."""
     assert {kind.event for kind in TABLE} - told.keys() <= rare
 
 

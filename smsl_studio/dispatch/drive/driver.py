@@ -14,6 +14,7 @@ from smsl_studio.blueprint.joint import JointStep
 from smsl_studio.blueprint.levels import sensed_facts
 from smsl_studio.dispatch.drive.admission import Admission
 from smsl_studio.dispatch.drive.arrival import Arrival
+from smsl_studio.dispatch.drive.generation import Generation
 from smsl_studio.dispatch.drive.hazard_watch import HazardWatch
 from smsl_studio.dispatch.drive.integrity import Integrity
 from smsl_studio.dispatch.drive.loop_guard import REPEATS, LoopGuard
@@ -73,6 +74,9 @@ class Driver:
         self.ended: RunFinished | None = None
         self.sentence = ""
         self.arrival = Arrival(run, course.goals, self.integrity, trouble, self)
+        self.generation = Generation(
+            run, course, self.desk, reviewer, self.follower.pricing, terms.proposer
+        )
         self._broken_since: float | None = None
 
     @property
@@ -177,7 +181,7 @@ class Driver:
             return
         found = self.follower.next()
         if isinstance(found, Hold):
-            self.hold(found)
+            self.hold(self.generation.sought(found))
         else:
             self.admission.admit(found)
 
@@ -277,6 +281,8 @@ class Driver:
 
     def next_edge(self) -> Address | None:
         """Return the operation that people are asked about, else the next one of the route."""
+        if self.generation.shown is not None:
+            return None
         proposed = self.admission.proposed
         if proposed is not None and self.desk.busy and not self.desk.keeps:
             return proposed

@@ -14,6 +14,7 @@ from smsl_studio.blueprint.check import Scene
 from smsl_studio.blueprint.continuum import FORECAST, SHOW
 from smsl_studio.blueprint.joint import JointStep
 from smsl_studio.blueprint.levels import careful
+from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.dispatch.drive.supervisor import ALLOW, Verdict
 from smsl_studio.dispatch.execution.run import LiveRun
 from smsl_studio.library.prediction import AGREES, NONE, Prediction
@@ -30,6 +31,10 @@ class Simulator(Protocol):
 
     def predict(self, configuration: Mapping[str, str], edge: Address) -> Prediction:
         """Carry out an operation from a configuration. Stopped if the run must stop meanwhile."""
+        ...
+
+    def extend(self, blueprint: Blueprint) -> None:
+        """Simulate from now on a blueprint that has one more edge."""
         ...
 
     def close(self) -> None:
@@ -95,6 +100,10 @@ class Foresight:
             if now.get(key) is not None and now[key] != value
         ]
         _tell(run, made[0], WRONG if wrong else RIGHT, ", ".join(wrong))
+
+    def extend(self, blueprint: Blueprint) -> None:
+        """Foresee from now on with a blueprint that has one more edge."""
+        self._simulator.extend(blueprint)
 
     def close(self) -> None:
         """Free the simulated world."""

@@ -7,6 +7,7 @@ from dataclasses import replace
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.joint import JointStep
+from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.dispatch.drive.foresight import Foresight
 from smsl_studio.dispatch.drive.risk import declared_risk, estimate, seen_facts
 from smsl_studio.dispatch.drive.supervisor import (
@@ -74,6 +75,11 @@ class Reviewer:
         if verdict.decision not in (VETO, PRUNE, TAKE_OVER):
             return ""
         return f"{self.name} says no" + (f": {verdict.reason}" if verdict.reason else "")
+
+    def extend(self, blueprint: Blueprint) -> None:
+        """Foresee from now on with a blueprint that has one more edge."""
+        if self._foresight is not None:
+            self._foresight.extend(blueprint)
 
     def compare(self, run: LiveRun, step: JointStep) -> None:
         """Tell whether the forecast of a step that has ended was right."""

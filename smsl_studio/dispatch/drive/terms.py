@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.dispatch.drive.foresight import Foresight
+from smsl_studio.dispatch.drive.generation import EdgeProposer
 from smsl_studio.dispatch.drive.loop_guard import VISITS
 
 
@@ -27,7 +28,8 @@ class RunTerms:
     approval is one for a world that is hardware. ``met`` are the typed conditions that are met.
     ``robot`` is the robot that was asked for, for the record. ``foresight`` looks at each step in a
     simulated world before it begins. Where ``unconfirmed``, nobody is asked to confirm an
-    operation: a forecast of it comes before people are asked.
+    operation: a forecast of it comes before people are asked. ``proposer`` is asked for edges where
+    no way leads to the goals.
     """
 
     start: Mapping[str, str] = field(default_factory=dict)
@@ -47,6 +49,7 @@ class RunTerms:
     robot: str = ""
     foresight: Foresight | None = None
     unconfirmed: bool = False
+    proposer: EdgeProposer | None = None
 
     @property
     def adopts(self) -> bool:

@@ -18,6 +18,10 @@ class PriceUpdates:
         self._told = 0
         self._faults: set[str] = set()
 
+    def forget(self) -> None:
+        """Ask again at the next opportunity: there is an edge that was not asked about."""
+        self._seen = None
+
     def ask(self) -> None:
         """Ask the functions if something has changed since the last time. Tell the edges with new
         costs, and those that a guard closes or opens. A guard sees the whole world, so guards are

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Mapping
+from collections import ChainMap
+from collections.abc import Callable, Collection, Mapping, MutableMapping
+from dataclasses import replace
 from types import MappingProxyType
+from typing import cast
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.check import (
@@ -24,7 +27,7 @@ from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.dispatch.execution.senses import Senses
 from smsl_studio.dispatch.people.bound import with_people
 from smsl_studio.dispatch.people.rules import leveled_rules
-from smsl_studio.host.protocol import Happened, Host, OpenedWorld, Telling
+from smsl_studio.host.protocol import Bound, Happened, Host, OpenedWorld, Telling
 from smsl_studio.runlog.events import Event
 
 NOWHERE: Mapping[str, str] = MappingProxyType({})
@@ -101,6 +104,19 @@ class LiveRun:
         """Let hazards guard the run."""
         self.hazards = tuple(hazards)
         self.guarded = self.guarded or bool(hazards)
+
+    def extend(
+        self, hierarchy: Hierarchy, edge: Address, bound: Bound, guarded: bool = False
+    ) -> None:
+        """Go on with a blueprint that has one more edge, and what carries this edge out. The States
+        and the facts are the same as before.
+        """
+        self.hierarchy, self.blueprint = hierarchy, hierarchy.blueprint
+        self.levels = self.levels.of(self.blueprint)
+        opened = self.opened
+        own = ChainMap({edge: bound}, cast("MutableMapping[Address, Bound]", opened.bound))
+        self.opened = replace(opened, bound=own, guarded=opened.guarded or guarded)
+        self.bound = with_people(own, self.blueprint, self.levels)
 
     @property
     def time(self) -> float:

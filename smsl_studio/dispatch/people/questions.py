@@ -21,6 +21,8 @@ PRUNE = Option("prune", "Shut it out of this run", yes=False)
 PAUSE = Option("pause", "Pause the run", yes=False)
 START = Option("start", "Start", yes=True)
 DO_NOT_START = Option("refuse", "Do not start", yes=False)
+ALLOW = Option("allow", "Allow", yes=True)
+REFUSE_EDGE = Option("refuse", "Refuse", yes=False)
 CANNOT_SAY = Option("cannot say", "I cannot say", yes=False)
 
 
@@ -94,6 +96,20 @@ def supervise_task(blueprint: Blueprint, edge: Address, why: str = "") -> Questi
         f"{title_of(blueprint, edge)}: shall it begin?",
         (GO_ON, SKIP, PRUNE, PAUSE),
         detail=f"{why} {detail}".strip(),
+    )
+
+
+def generate_task(edge: Address, target: str, provider: str, detail: str) -> Question:
+    """Return the question whether an edge that ``provider`` proposes may count in this run.
+    ``detail`` has its forecast and its findings, in words.
+    """
+    return Question(
+        "generate",
+        str(edge),
+        f"{provider} proposes {edge.operation} from {edge.state} to {target}, which the blueprint "
+        "does not have: may it count in this run?",
+        (ALLOW, REFUSE_EDGE),
+        detail=detail,
     )
 
 

@@ -8,10 +8,11 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-KINDS = ("operation", "confirm", "fact", "supervise", "start")
+KINDS = ("operation", "confirm", "fact", "supervise", "start", "generate")
 """``operation``: a person carries it out. ``confirm``: people agree before an operation begins.
 ``fact``: a person tells a fact. ``supervise``: a person decides on the next operation. ``start``: a
-person accepts the findings of inspection.
+person accepts the findings of inspection. ``generate``: a person lets an edge count that the
+blueprint does not have.
 """
 
 

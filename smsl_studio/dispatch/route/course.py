@@ -129,6 +129,13 @@ class Course:
         """
         return self._repriced(self.prices.adapt(costs))
 
+    def extend(self, hierarchy: Hierarchy, bound: Mapping[Address, Bound]) -> None:
+        """Plan from now on with a blueprint that has one more edge. What was shut out stays so."""
+        self._hierarchy, self._bound, self._exact = hierarchy, bound, _Exact(bound)
+        self._ways = Ways(hierarchy)
+        self.prices.follow(hierarchy.blueprint)
+        self._changed()
+
     # the plan ---------------------------------------------------------------------------------
 
     @property

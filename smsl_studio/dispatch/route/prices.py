@@ -25,6 +25,10 @@ class Prices:
         self.now: Mapping[Address, float] = MappingProxyType({})
         """Every edge with another cost than the declared one, for ``Terms.costs``."""
 
+    def follow(self, blueprint: Blueprint) -> None:
+        """Take declared costs from another blueprint, which has one more edge."""
+        self._blueprint = blueprint
+
     def of(self, address: Address) -> float:
         """Return the present cost of an edge."""
         found = self.now.get(address)

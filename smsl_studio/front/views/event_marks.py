@@ -25,7 +25,7 @@ def kind_of(event: Event) -> str:
             return FAULT
         case run.OperationEnded() if event.outcome != "returned":
             return FAULT
-        case run.Commanded() | run.TaskOpened() | run.TaskClosed():
+        case run.Commanded() | run.TaskOpened() | run.TaskClosed() | run.EdgeGenerated():
             return PERSON
         case run.Committed():
             return COMMIT

@@ -10,6 +10,7 @@ from smsl_studio.blueprint.address import Address, escape, fact_text, note_key
 from smsl_studio.blueprint.annotations import OperationNote
 from smsl_studio.blueprint.check import off_value
 from smsl_studio.blueprint.configuration import Hierarchy
+from smsl_studio.blueprint.continuum import GENERATION
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.errors import RunRefused
 from smsl_studio.generate.code.blueprint_parts import (
@@ -35,6 +36,8 @@ def refuse_what_cpp_lacks(blueprint: Blueprint) -> None:
     people or an agent.
     """
     for key, level in blueprint.levels.items():
+        if key == GENERATION:
+            continue  # generated code makes no edges
         usual = "shared" if key == "supervision" else "automatic"
         if level != usual:
             raise RunRefused(

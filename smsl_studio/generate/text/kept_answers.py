@@ -29,7 +29,7 @@ class KeptAnswer(BaseModel):
     """A question and its answer. ``faults`` say what was wrong with it, if anything was."""
 
     model_config = ConfigDict(extra="forbid", frozen=True, protected_namespaces=())
-    stage: Literal["pm", "him", "psm", "rmm"]
+    stage: Literal["pm", "him", "psm", "rmm", "edges"]
     attempt: Annotated[int, Field(ge=1, le=100)]
     model: str
     parameters: dict[str, Json] = {}

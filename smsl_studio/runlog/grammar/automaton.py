@@ -18,7 +18,7 @@ from smsl_studio.runlog.changes import take
 from smsl_studio.runlog.command_word import CommandWords
 from smsl_studio.runlog.decoder import event_of
 from smsl_studio.runlog.events import PROCEDURE, Event
-from smsl_studio.runlog.grammar import bounds, operations, regulation, scene
+from smsl_studio.runlog.grammar import bounds, generation, operations, regulation, scene
 from smsl_studio.runlog.grammar.header import misshapen
 from smsl_studio.runlog.grammar.memory import Memory
 from smsl_studio.runlog.grammar.progress import follow
@@ -69,6 +69,7 @@ TABLE: Mapping[type[Event], EventRow] = MappingProxyType(
         run.Held: EventRow(scene.held),
         run.RiskEstimated: EventRow(regulation.risk_estimated, before=False),
         run.ForecastTold: EventRow(regulation.forecast, before=False),
+        run.EdgeGenerated: EventRow(generation.edge_generated, before=False),
         run.Commanded: EventRow(regulation.commanded),
         run.Paused: EventRow(regulation.paused),
         run.Resumed: EventRow(regulation.resumed),

@@ -26,17 +26,27 @@ class KnownOperations:
         self._functions, self._costs = _tables(said.get("functions")), _tables(said.get("costs"))
         self.priced = said["priced"] if isinstance(said.get("priced"), bool) else None
         self._changed: dict[str, float] = {}
+        self._made: dict[tuple[str, str, str], str] = {}
 
     def function(self, branch: str, state: str, operation: str) -> str | None:
         """Return the name of the function that an operation runs, empty if it runs none.
 
         None if the header does not say.
         """
+        made = self._made.get((branch, state, operation))
         table = self._functions.get(branch)
-        if table is None:
-            return None
+        if made is not None or table is None:
+            return made
         found = _entry(table, state, operation, "")
         return found if isinstance(found, str) else None
+
+    def make(self, edge: tuple[str, str, str], function: str) -> None:
+        """Remember an edge that was generated, and its function."""
+        self._made[edge] = function
+
+    def made(self, edge: tuple[str, ...]) -> bool:
+        """Return whether an edge was generated."""
+        return edge in self._made
 
     def reprice(self, costs: Mapping[str, float]) -> None:
         """Remember new costs of operations."""

@@ -151,6 +151,8 @@ class Memory:
         self.reached: dict[str, None] = {}
         self.away: set[str] = set()
         self.foreseen: set[str] = set()
+        self.allowed = ("", -1.0)
+        """The edge that the newest closed question about a generated one was about, and when."""
 
     def stands(self, branch: str) -> str:
         """Return the state of an SB, committed or pending. Empty if there is no such SB."""

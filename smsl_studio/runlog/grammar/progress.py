@@ -228,6 +228,12 @@ def _task_closed(memory: Memory, event: run.TaskClosed) -> None:
     asked = memory.tasks.pop(event.task)
     memory.let_go = True
     memory.declined |= asked.opened.kind == "start" and event.outcome == "answered"
+    memory.allowed = (asked.opened.address if asked.opened.kind == "generate" else "", event.t)
+
+
+def _edge_generated(memory: Memory, event: run.EdgeGenerated) -> None:
+    branch, state, operation = parts(event.address)
+    memory.known.make((branch, state, operation), event.function)
 
 
 _CHANGES: Mapping[type[Event], Callable[[Memory, Any], None]] = MappingProxyType(
@@ -256,5 +262,6 @@ _CHANGES: Mapping[type[Event], Callable[[Memory, Any], None]] = MappingProxyType
         run.TaskEscalated: _task_escalated,
         run.TaskAnswered: _task_answered,
         run.TaskClosed: _task_closed,
+        run.EdgeGenerated: _edge_generated,
     }
 )

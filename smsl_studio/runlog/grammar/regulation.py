@@ -131,8 +131,10 @@ def fault_injected(memory: Memory, event: run.FaultInjected) -> Iterator[str]:
         yield f"{event.fault} is injected without a command"
 
 
-KINDS = ("operation", "confirm", "supervise", "fact", "start")
+KINDS = ("operation", "confirm", "supervise", "fact", "start", "generate")
 """The kinds of questions to people."""
+OF_EDGES = ("operation", "confirm", "supervise", "generate")
+"""Those that are about an operation."""
 
 # tasks ------------------------------------------------------------------------------------------
 
@@ -143,7 +145,7 @@ def task_opened(memory: Memory, event: run.TaskOpened) -> Iterator[str]:
     """
     if event.task in memory.names:
         yield f"{event.task} is opened for the second time"
-    if len(parts(event.address)) != 3 and event.kind in ("operation", "confirm", "supervise"):
+    if len(parts(event.address)) != 3 and event.kind in OF_EDGES:
         yield f"{event.task} is about no operation"
     elif event.kind == "fact" and split_fact(event.address) is None:
         yield f"{event.task} is about no fact"
