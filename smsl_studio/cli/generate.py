@@ -129,7 +129,8 @@ def execute(options: argparse.Namespace, out: Output) -> int:
              "left out. Leave states out with 'never', or take fewer facts.")  # fmt: skip
     if not made.goal_reached:
         of = "with these rules" if options.what == "rules" else "in this problem"
-        note(f"the goal cannot be reached {of}; ACTIVATING is left out")
+        note(f"the goal cannot be reached {of}; ACTIVATING is left out" if made.whole
+             else "the goal is none of these states; ACTIVATING is left out")  # fmt: skip
     return 0 if made.goal_reached and made.whole else 1
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+import json
 from collections import defaultdict
 from collections.abc import Iterator
 from dataclasses import dataclass, field
@@ -15,13 +16,18 @@ from smsl_studio.errors import ReadError
 from smsl_studio.generate.rule_circuit import RuleCircuit, bits, every_state
 from smsl_studio.generate.rule_file import RuleSet
 from smsl_studio.generate.rule_steps import RuleSteps
+from smsl_studio.smsl.document.limits import MAX_CHARACTERS, MAX_VALUES
 from smsl_studio.stop import heed
 
 Json = Any
 MOST_STATES = 1_000_000
 """So many states are followed at most."""
-MOST_EDGES = 5_000_000
+MOST_EDGES = 1_000_000
 """No further states are followed once there are so many operations."""
+_STATE, _EDGE, _FACT = 27, 22, 120
+"""The characters that a state, an operation and a fact have in a file, beside their names."""
+_HEADER = 10_000
+"""The characters of everything else: the header with two names, and the origin."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,8 +47,8 @@ class RuledBranch:
 def ruled_branch(rules: RuleSet, limit: int = MOST_STATES) -> RuledBranch:
     """Return the branch of some rules. Operations stand in the order of the rules.
 
-    If there are more than ``limit`` states or ``MOST_EDGES`` operations, the first states are
-    returned, and the operations between them. ReadError if the start is one of the states that are
+    If there are more than ``limit`` states or ``MOST_EDGES`` operations, or more than a file can
+    hold, the first states are returned, and the operations between them. ReadError if the start is one of the states that are
     left out.
     """
     steps = RuleSteps(rules)
@@ -50,6 +56,7 @@ def ruled_branch(rules: RuleSet, limit: int = MOST_STATES) -> RuledBranch:
     if steps.left_out(first):
         raise ReadError("the start is a state that 'never' leaves out", rules.start_at)
     found = _searched(steps, first, limit)
+    found = found.within_text(rules)
     names = [f"State_{values}" for values in steps.names(found.keys)]
     table = dict(zip(names, found.rows(names), strict=True))
     goal = None if rules.goal is None else f"State_{''.join(rules.goal)}"
@@ -82,6 +89,22 @@ class _StatesFound:
         for end in self.ends:
             yield dict(zip(self.operations[begin:end], targets[begin:end], strict=True))
             begin = end
+
+    def within_text(self, rules: RuleSet) -> _StatesFound:
+        """Return the first states that one file can hold: so many characters, names and values."""
+        wide = len(json.dumps("State_" + "".join(rules.start)))
+        sizes = {one.name: len(json.dumps(one.name)) for one in rules.operations}
+        edges = np.fromiter((sizes[name] for name in self.operations), np.int64) + wide + _EDGE
+        ends = np.concatenate(([0], np.cumsum(edges)))[self.ends]
+        values = 20 + 2 * len(rules.facts)
+        room = MAX_CHARACTERS - _HEADER - 2 * wide
+        room -= sum(len(json.dumps(name)) + _FACT for name in rules.facts)
+        numbers = np.arange(1, len(self.ends) + 1)
+        kept = min(
+            int(np.searchsorted(ends + numbers * (wide + _STATE), room, side="right")),
+            int(np.searchsorted(np.array(self.ends) + numbers, MAX_VALUES - values, side="right")),
+        )
+        return self if kept >= len(self.keys) else self.within(kept)
 
     def within(self, limit: int) -> _StatesFound:
         """Return the first states, and the operations between them."""

@@ -14,6 +14,7 @@ import pytest
 import smsl_studio as smsl
 from benches.layouts.procedures import chess, river
 from smsl_studio.errors import ReadError
+from smsl_studio.generate import rule_states
 from smsl_studio.generate.rule_circuit import RuleCircuit, bits, every_state
 from smsl_studio.generate.rule_conditions import Alphabets, condition
 from smsl_studio.generate.rule_file import read_rules
@@ -245,6 +246,20 @@ def test_rules_without_an_end_are_bounded() -> None:
     assert {target for row in rows.values() for target in row.values()} <= set(rows)
     assert made.operations == sum(map(len, rows.values()))
     assert made.operations > 5_000
+
+
+@pytest.mark.parametrize(("limit", "most"), [("MAX_VALUES", 3_000), ("MAX_CHARACTERS", 200_000)])
+def test_what_one_file_cannot_hold_is_left_out(
+    limit: str, most: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(rule_states, limit, most)
+    made = ruled_branch(read_rules(hanoi_rules(8).encode(), "rules.toml"))
+    text = json.dumps(made.values, indent=4)
+    assert not made.whole
+    assert len(text) < 200_000
+    size = made.states + made.operations
+    assert size < 3_000 if limit == "MAX_VALUES" else len(text) > 100_000
+    assert size > 2_000
 
 
 def test_a_start_that_is_left_out_is_refused() -> None:
