@@ -48,8 +48,8 @@ def ruled_branch(rules: RuleSet, limit: int = MOST_STATES) -> RuledBranch:
     """Return the branch of some rules. Operations stand in the order of the rules.
 
     If there are more than ``limit`` states or ``MOST_EDGES`` operations, or more than a file can
-    hold, the first states are returned, and the operations between them. ReadError if the start is one of the states that are
-    left out.
+    hold, the first states are returned, and the operations between them. ReadError if the start
+    is one of the states that are left out.
     """
     steps = RuleSteps(rules)
     first = steps.packed(rules.start)

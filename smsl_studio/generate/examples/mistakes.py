@@ -7,12 +7,13 @@ which many edges look like mistakes is taken as it is.
 
 from __future__ import annotations
 
+from collections import Counter, defaultdict
 from dataclasses import dataclass
 
 from smsl_studio.errors import PlanningError
 from smsl_studio.generate.examples.independence import independent
 from smsl_studio.generate.examples.reversals import Reversals, backward
-from smsl_studio.generate.examples.rule_search import operation_cost
+from smsl_studio.generate.examples.rule_search import learnt_rules, operation_cost
 from smsl_studio.generate.examples.table import Example, ExampleTable, Values
 from smsl_studio.stop import heed
 
@@ -22,9 +23,16 @@ _REGULAR = 0.75
 _STILL = 0.34
 """An edge that changes nothing is odd if so few edges of its operation do that."""
 _GAIN = 1.0
+_LESS = 0.25
+"""The rules must be shorter by so much, for each edge, if an edge is left out."""
 _DOUBT, _MARGIN, _SHARES = 12.0, 10.0, 2.5
 """A way back that is not known from edges like it, and an edge that is left out, must make the
 rules that much shorter; one that is left out also by these shares of its operation's rule."""
+_COMPARED, _SMALL = 3, 100
+"""So many repairs are compared by all their rules, in tables with at most so many edges. In larger
+ones the rules of one operation tell enough, and all of them take seconds."""
+Done = tuple[tuple[int, str, str], ...]
+"""What an edge does: the digits that it changes, with their values before and after."""
 
 
 def most_mistakes(table: ExampleTable) -> int:
@@ -71,7 +79,8 @@ class _ReversalRepair:
         """Return the table with every way back. It is the same if that would change too much."""
         if not self.regular:
             return self._table
-        table, left = self._table, self._open
+        table = self._renamed(self._renamed(self._table, exact=False), exact=True)
+        left = self._mismatches(table)
         for _ in range(most_mistakes(table)):
             if not left:
                 break
@@ -80,6 +89,56 @@ class _ReversalRepair:
                 return self._without_odd(table)
             table, left = best
         return self._without_odd(table)
+
+    def _renamed(self, table: ExampleTable, exact: bool) -> ExampleTable:
+        """Return the table with other names for edges that do what no other edge of their operation
+        does, if one operation that is not there does just this. If ``exact``, what it does
+        includes the values before.
+
+        Such an edge has a way back, and no other leads where it does. The rules must be shorter
+        then, and no edge may lose its way back. If another one does lead there, and does what it
+        often does, the edge is left out.
+        """
+        back = backward(table)
+        does = {edge: _done(edge, exact) for edge in table.all_edges()}
+        done = Counter((edge.operation, change) for edge, change in does.items())
+        doing: dict[Done, list[str]] = defaultdict(list)
+        for (operation, change), count in done.items():
+            if count > exact:
+                doing[change].append(operation)
+        alone = [edge for edge, change in does.items() if done[edge.operation, change] == 1]
+        if len(alone) > most_mistakes(table):
+            return table
+        for edge in alone:
+            heed()
+            usual = doing[does[edge]]
+            beside = [one for one in back[edge.source, edge.target] if one != edge.operation]
+            if beside:
+                if any(one in usual for one in beside):
+                    table = table.with_edge(edge.operation, edge.source, None)
+                continue
+            names = [one for one in usual if edge.source not in table.edges[one]]
+            if len(names) != 1 or (edge.target, edge.source) not in back:
+                continue
+            after = table.with_edge(edge.operation, edge.source, None)
+            after = after.with_edge(names[0], edge.source, edge.target)
+            if (
+                len(self._mismatches(after)) <= len(self._mismatches(table))
+                and self._gain(table, after, edge.operation, names[0]) > _GAIN
+            ):
+                table = after
+        return table
+
+    def _gain(self, before: ExampleTable, after: ExampleTable, *operations: str) -> float:
+        """Return how much shorter the rules of some operations are."""
+        try:
+            return sum(
+                operation_cost(before, one)
+                - (operation_cost(after, one) if after.edges.get(one) else 0)
+                for one in operations
+            )
+        except PlanningError:
+            return 0.0
 
     def _best(
         self, table: ExampleTable, left: list[tuple[Example, str]]
@@ -103,6 +162,11 @@ class _ReversalRepair:
         equal = [one for one in found if one[0] == fewest]
         if len(equal) > 1:
             equal.sort(key=lambda one: self._cost(one[2], one[3], table) + one[1])
+            if table.count <= _SMALL:
+                equal = sorted(
+                    equal[:_COMPARED],
+                    key=lambda one: _length(one[3]) * (1 + _LESS * (one[2].target is None)),
+                )
         after = equal[0][3]
         return after, self._mismatches(after)
 
@@ -190,3 +254,21 @@ class _ReversalRepair:
             if gain > _GAIN:
                 table = after
         return table
+
+
+def _length(table: ExampleTable) -> float:
+    """Return how long the rules of a whole table are for each of its edges. Where each edge needs
+    a case of its own, that does not grow or shrink with the edges."""
+    try:
+        rules = learnt_rules(table)
+    except PlanningError:
+        return float(table.count)
+    return (rules.cost + 4 * rules.cases) / table.count
+
+
+def _done(edge: Example, exact: bool) -> Done:
+    return tuple(
+        (digit, edge.source[digit] if exact else "", value)
+        for digit, value in enumerate(edge.target)
+        if edge.source[digit] != value
+    )
