@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from smsl_studio.cli.arguments import ArgumentParser
@@ -63,6 +64,12 @@ def generate_of_text(options: argparse.Namespace, out: Output) -> int:
             out.line(one_line(f"no source: {address}"))
     if made.blueprint is not None and not made.goal_reached:
         note("the goal cannot be reached")
+    if made.functions:
+        output = Path(options.output)
+        whole = output.is_dir() or not output.suffix
+        rmm = (output if whole else output.parent) / "rmm"
+        note(f"{len(made.functions):,} operations have no function; what there is waits in {rmm}")
+        note(f"To read it: smsl-studio plugins allow {rmm}")
     if made.people:
         note(f"people are asked; {PEOPLE} answers for them in a trial: run --script {PEOPLE}")
     return 0 if made.is_good else 1
@@ -80,6 +87,7 @@ def _as_json(made: GeneratedText) -> dict[str, object]:
         "operations": operations,
         "goal": made.goal_reached,
         "files": list(made.files),
+        "functions": list(made.functions),
         "missing": list(made.missing),
         "uncited": list(made.uncited),
         "requirements": [one.as_json() for one in made.requirements],

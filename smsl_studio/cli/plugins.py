@@ -7,11 +7,20 @@ from collections.abc import Iterable, Mapping
 from typing import Any
 
 from smsl_studio.cli.arguments import ArgumentParser, add_format
-from smsl_studio.cli.output import Output
-from smsl_studio.errors import UsageError
-from smsl_studio.front.installed import allow_plugin, forbid_plugin, plugins
+from smsl_studio.cli.output import Output, note
+from smsl_studio.errors import PluginError, UsageError
+from smsl_studio.front.generated_trials import trials_told
+from smsl_studio.front.installed import (
+    allow_generated,
+    allow_plugin,
+    forbid_plugin,
+    generated_functions,
+    plugins,
+)
 from smsl_studio.legible import one_line
 from smsl_studio.library.entries import FaultEntry
+from smsl_studio.library.generated_proposal import GeneratedProposal, is_allowed
+from smsl_studio.library.generated_trials import FunctionTrial, read_trials
 from smsl_studio.library.loaded import Loaded, Plugin, PluginFault
 from smsl_studio.library.survey import FoundPlugin
 
@@ -28,6 +37,12 @@ def add_arguments(parser: ArgumentParser) -> None:
         "forbid it; without either, list them all",
     )
     parser.add_argument("name", nargs="?", metavar="NAME", help="the plugin's name, or its folder")
+    parser.add_argument(
+        "--read",
+        metavar="DIGEST",
+        help="with allow and a folder of generated functions: the SHA-256 of what was read, as "
+        "allow without it tells",
+    )
     add_format(parser)
 
 
@@ -41,6 +56,11 @@ def execute(options: argparse.Namespace, out: Output) -> int:
             f"plugins {options.verb} takes the name of a plugin",
             advice="smsl-studio plugins lists them.",
         )
+    waiting = generated_functions(options.name) if options.verb == "allow" else None
+    if waiting is not None:
+        return _read_and_allow(waiting, options.read, options.format == "json", out)
+    if options.read is not None:
+        raise UsageError(f"{options.name} holds no generated functions", advice="Leave out --read.")
     done = (allow_plugin if options.verb == "allow" else forbid_plugin)(options.name)
     if options.format == "json":
         out.json(waiting_as_json(done))
@@ -49,6 +69,37 @@ def execute(options: argparse.Namespace, out: Output) -> int:
     if done.digest:
         out.line(f"    files: SHA-256 {done.digest}")
     return 0
+
+
+def _read_and_allow(
+    waiting: GeneratedProposal, read: str | None, as_json: bool, out: Output
+) -> int:
+    """Show what differs from the code that was allowed before, or allow what was read. 1: it is
+    shown and not yet allowed."""
+    operations = list(waiting.written())
+    told = {"name": waiting.name, "location": str(waiting.folder), "digest": waiting.digest}
+    if read is not None:
+        found = allow_generated(waiting, read)
+        if as_json:
+            out.json({**told, "state": found.state.value, "operations": operations})
+        else:
+            out.line(one_line(f"{found.name}: {found.state.value} ({found.location})"))
+            for operation in operations:
+                out.line(one_line(f"    {operation}: offered once it has passed its sweep"))
+        return 0
+    difference = waiting.difference()
+    if as_json:
+        out.json({**told, "state": "new", "operations": operations, "difference": difference})
+    elif is_allowed(waiting):
+        out.line(one_line(f"{waiting.name}: allowed, nothing has changed"))
+        return 0
+    else:
+        for line in difference.splitlines():
+            out.line(one_line(line))
+        note(one_line(f"Read this. Nothing of {waiting.folder} has run, and it is not loaded."))
+        allow = f"smsl-studio plugins allow {waiting.folder} --read {waiting.digest[:12]}"
+        note(one_line(f"To allow it: {allow}"))
+    return 1
 
 
 def _list(as_json: bool, out: Output) -> int:
@@ -127,7 +178,11 @@ def _as_json(plugin: Plugin, loaded: Loaded) -> dict[str, Any]:
         ],
         "robots": list(library.robots),
         "operations": [
-            {"function": entry.name, "pattern": entry.pattern.text if entry.pattern else None}
+            {
+                "function": entry.name,
+                "pattern": entry.pattern.text if entry.pattern else None,
+                **({"generated": trials_told(entry, _trials())} if entry.code else {}),
+            }
             for entry in library.operations
         ],
         "sensors": [entry.pattern.text for entry in library.sensors],
@@ -142,6 +197,15 @@ def _as_json(plugin: Plugin, loaded: Loaded) -> dict[str, Any]:
     }
 
 
+def _trials() -> Mapping[tuple[str, str], FunctionTrial]:
+    """Return the trials of generated functions. None count if they are not believed."""
+    try:
+        return read_trials()
+    except PluginError as error:
+        note(one_line(str(error)))
+        return {}
+
+
 def _choices(plugin: Plugin, loaded: Loaded) -> dict[str, tuple[str, ...]]:
     """Return the robots of each world of a plugin that can be built with several."""
     chosen = {world: loaded.robots(world) for world in plugin.library.worlds}
@@ -154,6 +218,9 @@ def _print(plugin: Plugin, loaded: Loaded, out: Output) -> None:
     out.line(f"{one_line(f'{plugin.name} {plugin.version} ({where})')}: allowed")
     if plugin.description:
         out.line(f"    {one_line(plugin.description)}")
+    for entry in library.operations:
+        if entry.code and entry.pattern:
+            out.line(one_line(f"    {entry.pattern.text}: {trials_told(entry, _trials())}"))
     choices = {f"robots of {world}": names for world, names in _choices(plugin, loaded).items()}
     parts: dict[str, Iterable[str]] = {
         "worlds": list(library.worlds),

@@ -40,6 +40,10 @@ GENERATED = (
     "GENERATED, NOT INSPECTED: this blueprint was computed, and no inspection record stands behind "
     "it; simulation only"
 )
+FUNCTIONS = (
+    "GENERATED FUNCTIONS: {} were generated, and only their sweep stands behind them; simulation "
+    "only"
+)
 
 
 def add_arguments(parser: ArgumentParser) -> None:
@@ -154,10 +158,11 @@ class _ToldEvents:
 def _execute(options: argparse.Namespace, told: _ToldEvents) -> int:
     from smsl_studio.blueprint.levels import Levels
     from smsl_studio.front.approval_badge import is_generated
+    from smsl_studio.front.generated_trials import generated_operations
     from smsl_studio.front.inputs import inspect
     from smsl_studio.front.runs import run
     from smsl_studio.front.views.before_run import RunMeans, lacking
-    from smsl_studio.world.engines import REMOTE
+    from smsl_studio.world.engines import REMOTE, TABLE
 
     speed = _speed(options.speed)
     if options.log == "-":
@@ -170,6 +175,8 @@ def _execute(options: argparse.Namespace, told: _ToldEvents) -> int:
     blueprint = read_argument(options.file)
     if is_generated(blueprint):
         told.mark = GENERATED
+    elif options.world not in (TABLE, REMOTE) and (found := generated_operations(blueprint)):
+        told.mark = FUNCTIONS.format(", ".join(found[:5]))
     script = _script(options.script, options.file, blueprint)
     # A misspelt annotation protects nothing, so these findings are shown before every run.
     for finding in inspect(blueprint, ("R29",)):

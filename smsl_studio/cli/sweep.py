@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+from typing import TYPE_CHECKING
 
 from smsl_studio.cli.arguments import (
     ArgumentParser,
@@ -13,11 +14,14 @@ from smsl_studio.cli.arguments import (
     host_of,
 )
 from smsl_studio.cli.blueprint_argument import read_argument
-from smsl_studio.cli.output import Output
+from smsl_studio.cli.output import Output, note
 from smsl_studio.cli.story import line_of
 from smsl_studio.legible import one_line
 from smsl_studio.runlog.events import SweepFinished
 from smsl_studio.stop import look_for_garbage
+
+if TYPE_CHECKING:
+    from smsl_studio.library.generated_trials import FunctionTrial
 
 
 def add_arguments(parser: ArgumentParser) -> None:
@@ -28,6 +32,9 @@ def add_arguments(parser: ArgumentParser) -> None:
     add_seed_and_host(parser)
     parser.add_argument(
         "--sb", action="append", metavar="SB", help="only this State Branch; may be repeated"
+    )
+    parser.add_argument(
+        "--operation", action="append", metavar="NAME", help="only this operation; may be repeated"
     )
     parser.add_argument(
         "--most",
@@ -53,12 +60,23 @@ def execute(options: argparse.Namespace, out: Output) -> int:
         branches=options.sb or (),
         most=options.most,
         robot=options.robot,
+        operations=options.operation or (),
+        tried=_note,
     )
     for event in events:
         out.line(event.line() if options.format == "json" else one_line(line_of(event)))
         if isinstance(event, SweepFinished):
             status = 0 if event.passed == event.edges else 1
     return status
+
+
+def _note(trial: FunctionTrial) -> None:
+    """Say what became of a generated function."""
+    what = f"the generated function of {trial.operation}"
+    if trial.passed:
+        note(one_line(f"{what} has passed its sweep, and is offered in {trial.world}"))
+    else:
+        note(one_line(f"{what} is not offered in {trial.world}: {trial.sentence}"))
 
 
 def _count(text: str) -> int:

@@ -11,10 +11,12 @@ from typing import TYPE_CHECKING, Any
 
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.errors import UsageError
-from smsl_studio.generate.text.chain import KEPT, TextChain, run_chain
+from smsl_studio.front.inputs import read
+from smsl_studio.generate.text.chain import KEPT, TextChain, run_chain, run_functions
 from smsl_studio.generate.text.expert_text import ExpertText, text_at
+from smsl_studio.generate.text.functions import functions_manifest
 from smsl_studio.generate.text.people_script import people_script
-from smsl_studio.generate.text.prompts import FILES, PSM
+from smsl_studio.generate.text.prompts import FILES, PSM, RMM
 from smsl_studio.generate.text.providers import BY_HAND, provider_named
 from smsl_studio.generate.text.requirements import (
     HOLDS,
@@ -24,7 +26,9 @@ from smsl_studio.generate.text.requirements import (
 )
 from smsl_studio.host.plugin_offers import describe
 from smsl_studio.inspection.rules.sources import uncited
+from smsl_studio.library.manifest import MANIFEST
 from smsl_studio.smsl.files import read_content, save_document
+from smsl_studio.smsl.forms import SUFFIXES
 
 if TYPE_CHECKING:
     from smsl_studio.generate.text.equipment import NeededEquipment
@@ -51,6 +55,8 @@ class GeneratedText:
     uncited: tuple[str, ...] = ()
     people: int = 0
     files: tuple[str, ...] = ()
+    functions: tuple[str, ...] = ()
+    """The operations that no library offers; their functions wait in ``rmm``."""
     requirements: tuple[RequirementVerdict, ...] = ()
 
     @property
@@ -71,6 +77,8 @@ def generate_text(
 ) -> GeneratedText:
     """Make a blueprint of expert texts, and write it to ``output`` with what each stage gave.
 
+    A blueprint in the place of the texts goes to the last stage at once: its missing functions.
+
     ``pm.md``, ``him.toml``, ``psm.json``, ``rmm/`` and ``answers.json`` stand in the folder of
     ``output``. ReadError for a text that cannot be read or has no steps. UsageError for an unknown
     provider.
@@ -80,7 +88,8 @@ def generate_text(
     >>> made.goal_reached, [branch.name for branch in made.blueprint]
     (True, ['LAMP'])
     """
-    texts = _texts(files)
+    drawn = _drawn(files)
+    texts = _texts(files) if drawn is None else []
     listed = _texts([hardware]) if hardware is not None else []
     folder = Path(by_hand) if by_hand is not None else None
     if folder is not None and provider not in (None, BY_HAND):
@@ -92,7 +101,10 @@ def generate_text(
     if require is not None:
         wanted = read_requirements(read_content(require).raw, os.fspath(require))
     answers = provider_named(provider, folder)
-    reached = run_chain(texts, listed, answers, describe())
+    if drawn is None:
+        reached = run_chain(texts, listed, answers, describe())
+    else:
+        reached = run_functions(drawn, answers, describe())
     target = _target(Path(output))
     verdicts: tuple[RequirementVerdict, ...] = ()
     if wanted is not None and reached.blueprint is not None:
@@ -117,6 +129,20 @@ def _proved(blueprint: Blueprint) -> dict[str, tuple[str, str]]:
             way = " > ".join(map(str, path))
             found[one.name] = one.verdict, one.bound or way or "shown for the blueprint as written"
     return found
+
+
+def _drawn(files: Sequence[Name]) -> Blueprint | None:
+    """Return the blueprint that stands in the place of the texts, or None. UsageError if texts
+    stand beside it."""
+    named = [one for one in files if Path(one).suffix.lower() in SUFFIXES]
+    if not named:
+        return None
+    if len(files) > 1:
+        raise UsageError(
+            f"{os.fspath(named[0])} is a blueprint, and something stands beside it",
+            advice="Give texts, or one blueprint whose functions are missing.",
+        )
+    return read(named[0])
 
 
 def _texts(files: Sequence[Name]) -> list[ExpertText]:
@@ -144,6 +170,9 @@ def _write(
     folder.mkdir(parents=True, exist_ok=True)
     own = by_hand is not None and by_hand.resolve() == folder.resolve()
     files = dict(reached.files)
+    if reached.functions:
+        manifest = functions_manifest(reached.functions, target.stem)
+        files[f"{FILES[RMM]}/{MANIFEST}"] = manifest
     if reached.blueprint is not None:
         script = people_script(reached.blueprint)
         if script:
@@ -152,7 +181,8 @@ def _write(
     written = []
     for name, text in files.items():
         path = folder / name
-        if own and path.exists() and name.partition("/")[0] in FILES.values():
+        given = name.partition("/")[0] in FILES.values() and path.name != MANIFEST
+        if own and path.exists() and given:
             continue
         path.parent.mkdir(exist_ok=True)
         save_document(text, path, made_of=made_of)
@@ -180,6 +210,7 @@ def _told(reached: TextChain, written: tuple[str, ...]) -> GeneratedText:
         tuple(str(address) for address in uncited(blueprint)),
         script.count("\n"),
         written,
+        tuple(reached.functions),
     )
 
 

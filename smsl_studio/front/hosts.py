@@ -86,8 +86,9 @@ def _in_child(
     only = tuple(signed) if signed else _locations(loaded, world)
     file = trust.bindings if trust is not None else None
     terms = ChildTerms(
-        only, signed=signed, bindings=file, hardware=may_move, parts=parts, robot=request.robot
-    )
+        only, signed=signed, bindings=file, hardware=may_move, parts=parts, robot=request.robot,
+        trial=request.trial,
+    )  # fmt: skip
     return ProcessHost(blueprint, world, seed, request.plugin_paths, terms, spare)
 
 

@@ -7,6 +7,7 @@ from pathlib import Path
 
 from smsl_studio.errors import UsageError, did_you_mean
 from smsl_studio.host.plugin_offers import describe
+from smsl_studio.library.generated_proposal import GeneratedProposal, proposal_at
 from smsl_studio.library.loaded import Loaded
 from smsl_studio.library.permission import allow, forbid
 from smsl_studio.library.survey import FoundPlugin, survey
@@ -33,6 +34,26 @@ def allow_plugin(name: str) -> FoundPlugin:
     'allowed'
     """
     return allow(plugin_called(name))
+
+
+def generated_functions(folder: str | Path) -> GeneratedProposal | None:
+    """Return the generated functions in a folder such as ``made/rmm``, which wait to be read. None
+    if there are none. Nothing of them is loaded. PluginError if they do not fit.
+
+    >>> generated_functions("nowhere") is None
+    True
+    """
+    return proposal_at(Path(folder))
+
+
+def allow_generated(waiting: GeneratedProposal, read: str) -> FoundPlugin:
+    """Allow generated functions that a person has read. Exactly this code is loaded from then on,
+    in a process of its own, and it counts in a world once it has passed its sweep there.
+
+    ``read`` is the SHA-256 of what was read (``waiting.digest``), or its beginning. UsageError for
+    another, PluginError for code that reaches out of its world, SaveError if it cannot be written.
+    """
+    return allow(waiting.install(read))
 
 
 def forbid_plugin(name: str) -> FoundPlugin:

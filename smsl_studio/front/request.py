@@ -53,7 +53,8 @@ class RunRequest:
     ``generate`` is who proposes edges where no way leads to the goals (see ``edge_proposer``);
     empty means nobody.
     ``address`` (``unix:PATH`` or ``HOST:PORT``) is where the program of the world remote listens,
-    and ``token_file`` has the token that it asks for.
+    and ``token_file`` has the token that it asks for. In a ``trial`` generated functions run that
+    have not passed their sweep.
 
     >>> RunRequest(read("hanoi.json"), goals=("State_ccc",)).checked().goals
     (Address(branch='SB1', state='State_ccc', operation=''),)
@@ -90,6 +91,7 @@ class RunRequest:
     generate: str = ""
     address: str = ""
     token_file: str = ""
+    trial: bool = False
 
     @property
     def asks_approval(self) -> bool:

@@ -87,6 +87,7 @@ class RunAnswers:
             timeout=PATIENCE,
             resumes=flag(),
             touches=several(fact, 10_000),
+            generated=flag(),
         )
         sensor = record(
             SensorInfo,

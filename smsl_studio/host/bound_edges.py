@@ -19,6 +19,7 @@ def bounds_of(bindings: Bindings) -> dict[Address, Bound]:
             function.timeout,
             function.resumes,
             function.touches,
+            function.generated,
         )
         found[edge] = same.setdefault(bound, bound)
     return found

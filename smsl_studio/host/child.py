@@ -32,6 +32,7 @@ from smsl_studio.host.codec import Codec, Unfit, nothing
 from smsl_studio.host.confinement import confine
 from smsl_studio.host.local import LocalHost
 from smsl_studio.host.protocol import Bound, OpenedWorld, Outcome, Tick
+from smsl_studio.host.shut_in import shut_in
 from smsl_studio.host.wire import ChildWire
 from smsl_studio.library.bindings_file import BindingsFile
 from smsl_studio.library.loaded import Loaded
@@ -74,6 +75,8 @@ class Recipe:
     """The documents of each procedure that the blueprint runs."""
     robot: str = ""
     """The robot to build the world with. Empty means the usual one of the world."""
+    trial: bool = False
+    """Whether generated functions that have not passed their sweep are tried."""
 
 
 def main(pipe: int, beat: int) -> None:
@@ -98,14 +101,17 @@ def read_documents(documents: tuple[tuple[str, str, str], ...]) -> Blueprint:
     return read_gathered([form_named(form).parse(text, file) for file, form, text in documents])
 
 
-def plugins_of(recipe: Recipe, loads: Callable[[str], None]) -> Loaded:
+def plugins_of(
+    recipe: Recipe, loads: Callable[[str], None], *, apart: bool = False
+) -> Loaded:
     """Load the plugins of a recipe. ``loads`` gets the name of each before it is loaded, and an
-    empty one at the end. WorldError for a world that is hardware and not approved."""
+    empty one at the end. Generated functions come only to a process that is ``apart``: it is shut
+    in before they run, so it builds its world once. WorldError for a world that is hardware and not approved."""
     loaded = Loaded()
     if recipe.world != TABLE:
         signed = None if recipe.signed is None else dict(recipe.signed)
         paths = [Path(path) for path in recipe.plugin_paths]
-        loaded = discover(paths, recipe.only, lambda name, _: loads(name), signed)
+        loaded = discover(paths, recipe.only, lambda name, _: loads(name), signed, apart=apart)
         loads("")
     refuse_hardware(loaded, recipe.world, recipe.hardware)
     return loaded
@@ -152,10 +158,12 @@ class _Child:
         limit_process(recipe.memory)
         blueprint, *parts = map(read_documents, (recipe.documents, *recipe.parts))
         paths = [Path(path) for path in recipe.plugin_paths]
-        loaded = plugins_of(recipe, self._loads)
+        loaded = plugins_of(recipe, self._loads, apart=True)
         file = recipe.bindings
         self.host = LocalHost(blueprint, recipe.world, recipe.seed, paths, loaded, file)
         self.host.choose(recipe.robot)
+        if recipe.trial:
+            self.host.try_out()
         self.host.carry(parts)
         self._blueprint, self._parts = blueprint, parts
         self._run = RunAnswers(blueprint, *parts)
@@ -163,7 +171,7 @@ class _Child:
         self._verbs |= {
             "open": self.open,
             "sense": self.host.sense,
-            "begin": self.host.begin,
+            "begin": self.begin,
             "tick": self.tick,
             "cancel": self.host.cancel,
             "disturb": self.disturb,
@@ -182,6 +190,13 @@ class _Child:
         self._world = opened
         self._status = dict(self.host.status())
         return opened, self._status, self.host.poses()
+
+    def begin(self, edge: Address) -> None:
+        """Start the function of an edge. Before generated code begins, this process is shut in for
+        ever: its world stands, and nothing in it needs a file, a connection or a process more."""
+        if self.host.is_generated(edge):
+            shut_in()
+        self.host.begin(edge)
 
     def tick(self) -> tuple[Tick, Status | None, Poses | None]:
         """Advance by one tick. Add status and picture if it is time for new ones."""

@@ -87,6 +87,7 @@ OPERATION = mapped(
         flag(),
         several(PATTERN, MOST),
         flag(),
+        text(64),
     ),
     lambda one: (
         one.name,
@@ -97,6 +98,7 @@ OPERATION = mapped(
         one.resumes,
         tuple(pattern.text for pattern in one.touches),
         one.recovery,
+        one.code,
     ),
     lambda told: _operation(*told),
 )
@@ -210,13 +212,14 @@ def read_description(data: bytes, found: FoundPlugin) -> Plugin | PluginFault:
 
 
 def _operation(called: str, text: str | None, signature: Signature, *others: Any) -> OperationEntry:
-    stop, timeout, resumes, touches, recovers = others
+    stop, timeout, resumes, touches, recovers, digest = others
     pattern = None if text is None else _pattern(text, signature)
     facts = tuple(_pattern(one, signature) for one in touches)
     code = AbsentCode(called)
     return OperationEntry(
-        code, called, pattern, signature, stop, timeout, resumes, facts, recovery=recovers
-    )
+        code, called, pattern, signature, stop, timeout, resumes, facts,
+        recovery=recovers, code=digest,
+    )  # fmt: skip
 
 
 def _library(

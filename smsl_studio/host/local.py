@@ -32,14 +32,14 @@ from smsl_studio.host.protocol import (
     Happened,
     OpenedWorld,
     Priced,
-    SensorInfo,
     Tick,
     tick_of,
 )
 from smsl_studio.host.sensor_schedule import SensorSchedule
+from smsl_studio.host.told_sensors import info_of
 from smsl_studio.library.bindings import bind
 from smsl_studio.library.bindings_file import BindingsFile, bindings_beside
-from smsl_studio.library.bound import Bindings, BoundSensor, joined
+from smsl_studio.library.bound import Bindings, joined
 from smsl_studio.library.entries import FaultEntry, WorldEntry
 from smsl_studio.library.loaded import Loaded
 from smsl_studio.library.loading import discover
@@ -69,6 +69,7 @@ class LocalHost:
         file: BindingsFile | None = None,
     ) -> None:
         self._robot = ""
+        self._trial = False
         self._blueprint = blueprint
         self._parts: tuple[Blueprint, ...] = ()
         self._name = world
@@ -101,6 +102,16 @@ class LocalHost:
         """Build the world with a robot; empty means its usual one. This is said before it is
         built."""
         self._robot = robot
+
+    def try_out(self) -> None:
+        """Also bind generated functions that have not passed their sweep. This is said before it is
+        built."""
+        self._trial = True
+
+    def is_generated(self, edge: Address) -> bool:
+        """Whether nobody has written the function of an edge by hand."""
+        bound = self._bindings.operations.get(edge) if self._bindings else None
+        return bound is not None and bound.generated
 
     def prepare(self) -> None:
         """Find the code and build the world, so that ``open`` is quick. It raises the same errors
@@ -139,7 +150,7 @@ class LocalHost:
             tick=engine.tick,
             hardware=self._entry.hardware if self._entry else engine.hardware,
             bound=self._bound,
-            sensors=tuple(_info(sensor) for sensor in bindings.sensors),
+            sensors=tuple(info_of(sensor) for sensor in bindings.sensors),
             shapes=shapes,
             settle=self._settle,
             faults=tuple(map(str, bindings.faults)),
@@ -318,7 +329,7 @@ class LocalHost:
         if self._bindings is None:
             table = self._name == TABLE
             file = None if table else self._file or bindings_beside(self._blueprint.file)
-            own = bind(self._blueprint, self._plugins(), self._name, file)
+            own = bind(self._blueprint, self._plugins(), self._name, file, trial=self._trial)
             self._bindings = joined(own, self._part_bindings()) if self._parts else own
             self._bound = bounds_of(self._bindings)
         return self._bindings
@@ -372,19 +383,3 @@ class LocalHost:
         """Return a context that turns every error of library code into a HostError, except errors
         of the class ``passes``."""
         return HostErrors(f"the world {self._name!r} {what}", self._location, passes)
-
-
-def _info(sensor: BoundSensor) -> SensorInfo:
-    return SensorInfo(
-        sensor.name,
-        sensor.branch,
-        sensor.digit,
-        sensor.period,
-        sensor.max_age,
-        sensor.aggregation,
-        dict(sensor.words),
-        unit=sensor.unit,
-        predicate={one.value: one.text for one in sensor.default.sense.predicates}
-        if sensor.default
-        else {},
-    )

@@ -64,7 +64,8 @@ class ChildTerms:
     the computer's memory. ``signed`` has the SHA-256 of signed code, by location; other code at
     these locations is not loaded. ``bindings`` is the bindings file that was signed; None means the
     one beside the blueprint. ``hardware`` says that the run was approved for a world that is
-    hardware; without it none is built. ``robot`` is the robot to build the world with.
+    hardware; without it none is built. ``robot`` is the robot to build the world with. ``trial``
+    says that generated functions are tried that have not passed their sweep.
     """
 
     only: tuple[str, ...] | None = None
@@ -77,6 +78,7 @@ class ChildTerms:
     hardware: bool = False
     parts: tuple[Blueprint, ...] = ()
     robot: str = ""
+    trial: bool = False
 
 
 USUAL = ChildTerms()
@@ -116,6 +118,7 @@ class ProcessHost:
             terms.hardware,
             tuple(map(_texts, terms.parts)),
             terms.robot,
+            terms.trial,
         )
         self._terms = terms
         self._blueprint = blueprint
@@ -129,6 +132,8 @@ class ProcessHost:
         self._doing = ""
         self._opened = False
         self._world: OpenedWorld | None = None
+        self._generated: frozenset[Address] = frozenset()
+        self._shut_in = False
         self._idle = Patience(terms.silence_limit)
         self._using = threading.RLock()
         self._closing = False
@@ -147,6 +152,10 @@ class ProcessHost:
     def open(self, start: Mapping[str, str]) -> OpenedWorld:
         """Start the child if there is none, and let it open its world (see ``LocalHost.open``)."""
         with self._using:
+            if self._shut_in:
+                # A child that has run generated code may not do what building a world needs.
+                self._end()
+                self._opened = self._shut_in = False
             if self._child is None and self._gone is None:
                 self._start()
             opened: OpenedWorld
@@ -158,6 +167,7 @@ class ProcessHost:
             self._answers.opened(opened)
             self._world = opened
             self._ticks, self._step = 0, opened.tick
+            self._generated = frozenset(e for e, one in opened.bound.items() if one.generated)
             self._opened, self._idle = True, self._pulse()
             return opened
 
@@ -169,6 +179,7 @@ class ProcessHost:
     def begin(self, edge: Address) -> None:
         """Start the library function bound to an edge; it first moves at the next tick."""
         self._doing = f" in the middle of {edge}"
+        self._shut_in = self._shut_in or edge in self._generated
         self._ask("begin", edge)
 
     def tick(self) -> Tick:

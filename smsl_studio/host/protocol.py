@@ -48,7 +48,7 @@ class Bound:
     is in simulated seconds. ``stop`` is the effect of a stop or pause: abort, hold or finish.
     ``resumes`` says that the function can go on after it was held. ``touches`` are facts that the
     function may change besides the facts of its edge. After a cancel these facts are unknown until
-    they are sensed anew.
+    they are sensed anew. ``generated`` says that nobody has written the function by hand.
     """
 
     function: str
@@ -57,6 +57,7 @@ class Bound:
     timeout: float
     resumes: bool = True
     touches: tuple[FactKey, ...] = ()
+    generated: bool = False
 
 
 @dataclass(frozen=True, slots=True)

@@ -11,8 +11,9 @@ with predicates has the sensors that measure what the predicates name, and no ot
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Generator, Iterator, Mapping, Sequence
 from dataclasses import replace
+from functools import partial
 from typing import Any
 
 from smsl_studio.blueprint.address import Address, fact_text, note_key
@@ -33,6 +34,7 @@ from smsl_studio.library.bound import (
 )
 from smsl_studio.library.entries import CostEntry
 from smsl_studio.library.fact_default import FactDefault, default_of
+from smsl_studio.library.generated_offers import GeneratedOffers, left_out
 from smsl_studio.library.loaded import Loaded, Plugin
 from smsl_studio.library.operation_entry import OperationEntry
 from smsl_studio.library.sensor_entry import SensorEntry
@@ -41,14 +43,22 @@ from smsl_studio.world.engines import TABLE
 
 
 def bind(
-    blueprint: Blueprint, loaded: Loaded, world: str, bindings: BindingsFile | None = None
+    blueprint: Blueprint,
+    loaded: Loaded,
+    world: str,
+    bindings: BindingsFile | None = None,
+    *,
+    trial: bool = False,
 ) -> Bindings:
-    """Return the bindings of a blueprint in a world. WorldError if there is no such world."""
+    """Return the bindings of a blueprint in a world. WorldError if there is no such world. A
+    generated function counts once it has passed its sweep in this world, or in a ``trial``."""
     if world == TABLE:
         return table_bindings(blueprint)
     binder = _Binder(blueprint, loaded.serving(world), world, bindings or BindingsFile())
+    binder.offers = GeneratedOffers(world, loaded.world(world)[1].hardware, trial)
     operations, costs = dict(binder.operations()), dict(binder.costs())
     sensors = tuple(binder.sensors())
+    binder.faults += left_out(blueprint, loaded)
     faults = (*binder.faults, *binder.unknown_keys())
     return Bindings(operations, sensors, faults, binder.named, costs)
 
@@ -66,6 +76,7 @@ class _Binder:
         self.table: WorldTable = file.of(world)
         self.faults: list[BindingFault] = []
         self.named: dict[FactKey, tuple[str, ...]] = {}
+        self.offers = GeneratedOffers(world)
         self.by_name = {
             entry.name: (plugin, entry) for plugin in plugins for entry in plugin.library.operations
         }
@@ -118,7 +129,7 @@ class _Binder:
         found: Binding | BoundFunction,
         exact: bool,
         place: Place | None,
-    ) -> BoundOperation:
+    ) -> BoundOperation | None:
         if found.function not in self.by_name:
             raise PluginError(
                 f"the world {self.world!r} has no function {found.function!r}",
@@ -153,7 +164,8 @@ class _Binder:
                 texts = entry.texts(branch, name)
                 if entry.pattern is None or texts is None:
                     continue
-                rank = (not entry.pattern.parameters, entry.pattern.literal)
+                # What people have written comes first, however well a generated name fits.
+                rank = (not entry.code, not entry.pattern.parameters, entry.pattern.literal)
                 if best is None or rank > best[0]:
                     best = rank, (plugin, entry, texts)
         return best[1] if best else None
@@ -165,8 +177,12 @@ class _Binder:
         code: tuple[Plugin, OperationEntry],
         arguments: Mapping[str, Any],
         exact: bool = False,
-    ) -> BoundOperation:
+    ) -> BoundOperation | None:
         plugin, entry = code
+        if entry.code:
+            if not self.offers.offers(entry, edge, branch.table[edge.state][edge.operation]):
+                return None
+            arguments = {"operations": partial(self._begun, branch.name)}
         note = branch.operation_note(edge.state, edge.operation)
         stop, timeout = note.stop or entry.stop, note.timeout or entry.timeout
         resumes = entry.resumes if note.resumes is None else note.resumes
@@ -181,7 +197,17 @@ class _Binder:
             resumes,
             (*noted_touches(branch, note), *self._touched(branch, entry, arguments)),
             entry.available,
+            bool(entry.code),
         )
+
+    def _begun(self, branch: str, world: Any, name: str) -> Generator[Any, Any, Any]:
+        """Begin an operation of this world for generated code. PluginError if there is none."""
+        found = self._match(branch, name)
+        if found is None or found[1].code:
+            raise PluginError(f"the world {self.world!r} has no operation {name[:100]!r}")
+        _, entry, texts = found
+        steps: Generator[Any, Any, Any] = entry.function(world, **entry.signature.converted(texts))
+        return steps
 
     def _touched(
         self, branch: StateBranch, entry: OperationEntry, arguments: Mapping[str, Any]

@@ -34,6 +34,8 @@ class BoundOperation(NamedTuple):
     resumes: bool = True
     touches: tuple[FactKey, ...] = ()
     available: Availability | None = None
+    generated: bool = False
+    """Whether nobody has written the code by hand: it runs in a closed process alone."""
 
 
 @dataclass(frozen=True, slots=True)

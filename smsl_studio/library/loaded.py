@@ -32,12 +32,16 @@ class Plugin:
 
 @dataclass(frozen=True, slots=True)
 class PluginFault:
-    """A plugin that did not load: its name, a sentence about the fault, and its place."""
+    """A plugin that did not load: its name, a sentence about the fault, and its place.
+
+    ``operations`` are those that its generated functions would do (``SB/Operation``).
+    """
 
     plugin: str
     sentence: str
     place: Place | None
     location: str
+    operations: tuple[str, ...] = ()
 
     def __str__(self) -> str:
         where = f"{self.place}: " if self.place else f"{self.location}: "

@@ -17,6 +17,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from smsl_studio.errors import Place, PluginError, RunRefused
+from smsl_studio.library.generated_functions import register_generated
 from smsl_studio.library.loaded import Loaded, Plugin, PluginFault
 from smsl_studio.library.operation_library import OperationLibrary
 from smsl_studio.library.plugin_code import CHANGED, sources_of
@@ -24,12 +25,17 @@ from smsl_studio.library.plugin_package import import_plugin, leave_package, pla
 from smsl_studio.library.sources import PackageSources
 from smsl_studio.library.survey import SHIPPED, FoundPlugin, PluginState, survey
 
+APART = "its functions are generated, so they run in a process of their own alone"
+APART_ADVICE = "Run it with --host process, or host='process' in Python."
+
 
 def discover(
     extra: Sequence[Path] = (),
     only: Collection[str] | None = None,
     begins: Callable[[str, str], None] | None = None,
     signed: Mapping[str, str] | None = None,
+    *,
+    apart: bool = False,
 ) -> Loaded:
     """Load every plugin that may be loaded.
 
@@ -37,11 +43,14 @@ def discover(
     given, plugins at other locations are not loaded. ``begins`` is called with the name and the
     location of each plugin before its code runs. ``signed`` has the SHA-256 of signed code, by
     location; a plugin there is loaded only if its code has this SHA-256. The printed output of
-    plugins goes to standard error, so that data on standard output stays intact.
+    plugins goes to standard error, so that data on standard output stays intact. Generated
+    functions are loaded only in a process that is ``apart`` from the program.
     """
 
     def load(found: FoundPlugin) -> Plugin | PluginFault:
         """Call ``begins``, then load one plugin."""
+        if found.is_generated and not apart:
+            return _kept_apart(found)
         if begins is not None:
             begins(found.name, found.location)
         if signed is not None and found.location in signed:
@@ -54,6 +63,13 @@ def discover(
         every = [one for one in every if one.state is not allowed or one.location in only]
     with contextlib.redirect_stdout(sys.stderr):
         return gathered(every, load)
+
+
+def _kept_apart(found: FoundPlugin) -> PluginFault:
+    """Return the fault of generated functions that are not loaded in this process."""
+    assert found.manifest is not None
+    operations = tuple(one.operation for one in found.manifest.generated)
+    return replace(_fault_of(found, PluginError(APART, advice=APART_ADVICE)), operations=operations)
 
 
 def refuse_hardware(loaded: Loaded, world: str, approved: bool) -> None:
@@ -186,7 +202,10 @@ def _loaded(found: FoundPlugin) -> Plugin:
     """Run the code of a plugin, and let it register its entries."""
     assert found.manifest is not None
     library = OperationLibrary(found.manifest.name)
-    if found.point is not None:
+    if found.is_generated:
+        assert found.sources is not None
+        register_generated(library, found.manifest.generated, found.sources)
+    elif found.point is not None:
         if isinstance(found.sources, PackageSources):
             take_package(found.sources)
         else:

@@ -11,8 +11,19 @@ from smsl_studio.errors import Place, PluginError
 from smsl_studio.library.toml_text import read_toml
 
 MANIFEST = "plugin.toml"
-LARGEST = 100_000
+LARGEST = 400_000
 """The largest size of a manifest, in bytes."""
+
+
+class GeneratedFunction(BaseModel):
+    """A function that nobody has written by hand: its ``SB/Operation``, its file beside the
+    manifest, and its name in there."""
+
+    model_config = ConfigDict(frozen=True, extra="forbid")
+
+    operation: str = Field(min_length=3, max_length=1000)
+    file: str = Field(pattern=r"^[A-Za-z0-9][A-Za-z0-9_.-]*\.py$", max_length=200)
+    function: str = Field(pattern=r"^[a-z][a-z0-9_]*$", max_length=400)
 
 
 class Manifest(BaseModel):
@@ -21,7 +32,8 @@ class Manifest(BaseModel):
     ``name`` is the first part of the functions' names (``name.function``); the rest is for people.
     ``worlds``, ``operations``, ``sensors``, ``faults`` and ``supervisors`` list the entries that
     the code registers, so that a user can decide whether it may run. A list must be complete, or be
-    left out.
+    left out. A plugin of ``generated`` functions has these and no other code: it has no
+    ``plugin.py``.
     """
 
     model_config = ConfigDict(frozen=True, extra="forbid")
@@ -36,6 +48,7 @@ class Manifest(BaseModel):
     sensors: tuple[str, ...] = ()
     faults: tuple[str, ...] = ()
     supervisors: tuple[str, ...] = ()
+    generated: tuple[GeneratedFunction, ...] = Field(default=(), max_length=1000)
 
     @property
     def registers(self) -> Mapping[str, tuple[str, ...]]:

@@ -42,6 +42,8 @@ class OperationEntry:
     touches: tuple[Pattern, ...] = ()
     available: Availability | None = None
     recovery: bool = False
+    code: str = ""
+    """The digest of a generated function (see ``generated_functions``). Empty for all others."""
 
     def texts(self, branch: str, operation: str) -> dict[str, str] | None:
         """Return the parameters that the pattern finds in the name of an operation, None if it does

@@ -75,6 +75,11 @@ class FoundPlugin:
         return self.state is PluginState.FORBIDDEN
 
     @property
+    def is_generated(self) -> bool:
+        """Whether nobody has written its functions by hand."""
+        return self.manifest is not None and bool(self.manifest.generated)
+
+    @property
     def is_changed(self) -> bool:
         """Whether its files are others than those that were allowed."""
         return self.state is PluginState.CHANGED
@@ -114,6 +119,12 @@ def survey(extra: Sequence[Path] = ()) -> tuple[FoundPlugin, ...]:
     for one in found:
         first.setdefault(one.location, one)
     return tuple(first.values())
+
+
+def found_at(folder: Path) -> FoundPlugin:
+    """Return the plugin in one folder of the user's, with its state. PluginError if the decisions
+    are not believed."""
+    return _plugin_in(folder, USER, read_decisions())
 
 
 def _in_folder(
@@ -163,6 +174,11 @@ def _plugin_in(
         if not (whole / MANIFEST).is_file():
             raise PluginError(f"it has no {MANIFEST}", Place(str(whole / "plugin.py"), 1, 1))
         manifest = read_manifest(whole / MANIFEST)
+        if manifest.generated and source != USER:
+            raise PluginError(
+                "its functions are generated, and such functions are loaded from the user's folder",
+                advice=f"Read and allow them: smsl-studio plugins allow {whole}",
+            )
         if source == USER:
             sources = read_sources(whole)
         elif source != SHIPPED:

@@ -104,7 +104,7 @@ def test_a_fault_in_a_sibling_module_names_the_sibling(tmp_path: Path) -> None:
         ('name = "x"\nicons = 3', 2, "icons"),
         ("x = " + "[" * 50_000, 1, "nested too deeply"),
         ("x = " + "9" * 50_000, 1, "4300 digits"),
-        ("#" * 100_001, 1, "longer than 100000 bytes"),
+        ("#" * 400_001, 1, "longer than 400000 bytes"),
     ],
 )
 def test_a_broken_manifest_is_named_with_its_line(

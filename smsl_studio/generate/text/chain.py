@@ -3,7 +3,7 @@ wrong. Nothing of an answer is run, imported, opened or fetched."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any, TypeVar
 
@@ -52,6 +52,8 @@ class TextChain:
     blueprint: Blueprint | None = None
     equipment: NeededEquipment | None = None
     procedure: procedures.TextProcedure | None = None
+    functions: Mapping[str, str] = field(default_factory=dict)
+    """The files of the operations without a function, by operation."""
     lacking: list[tuple[str, str]] = field(default_factory=list)
     """Sentences, each with its advice."""
 
@@ -72,9 +74,22 @@ def run_chain(
     loaded: Loaded,
 ) -> TextChain:
     """Ask for all stages. What was reached is returned, also if a stage has no answer."""
-    return _Chain(
-        Matter(texts, hardware, tuple(map(_offer, loaded.plugins))), provider, loaded
-    ).run()
+    return _Chain(Matter(texts, hardware, _offers(loaded)), provider, loaded).run()
+
+
+def run_functions(blueprint: Blueprint, provider: StageProvider, loaded: Loaded) -> TextChain:
+    """Ask for the functions of a blueprint that is there already (stage RMM alone)."""
+    matter = Matter((), (), _offers(loaded))
+    return _Chain(matter, provider, loaded).run_functions(blueprint)
+
+
+def _offers(loaded: Loaded) -> tuple[PluginOffer, ...]:
+    """Return what plugins offer whose code people have written."""
+    return tuple(
+        _offer(plugin)
+        for plugin in loaded.plugins
+        if not any(entry.code for entry in plugin.library.operations)
+    )
 
 
 def _offer(plugin: Plugin) -> PluginOffer:
@@ -98,7 +113,7 @@ def _useful(
         plugin.name
         for plugin in loaded.plugins
         for entry in plugin.library.operations
-        if any(entry.texts(*name) is not None for name in names)
+        if not entry.code and any(entry.texts(*name) is not None for name in names)
     }
     with_world = [one for one in offers if one.worlds]
     return [one for one in with_world if one.plugin in serving] or with_world
@@ -128,13 +143,21 @@ class _Chain:
             self._lack(error)
         return self._kept()
 
+    def run_functions(self, blueprint: Blueprint) -> TextChain:
+        self._reached.blueprint = blueprint
+        try:
+            self._functions(self._provider.by_file)
+        except (Unanswered, GivenUp) as error:
+            self._lack(error)
+        return self._kept()
+
     def _lack(self, error: Unanswered | GivenUp) -> None:
         if isinstance(error, Unanswered):
             self._reached.lacking.append((error.sentence, error.advice))
         elif self._provider.by_file:
             advice = f"Mend {FILES[error.stage]} in your folder, and call this again."
             self._reached.lacking += [(str(error), ""), *((one, "") for one in error.faults[3:])]
-            self._reached.lacking.append((f"{len(error.faults)} findings in all", advice))
+            self._reached.lacking.append(("that is all that was found", advice))
         else:
             advice = "The prompts and the answers lie in answers.json. Write this stage by hand."
             self._reached.lacking.append((str(error), advice))
@@ -205,6 +228,7 @@ class _Chain:
 
         offers = _useful(blueprint, self._matter.offers, self._loaded)
         found = self._asked(RMM, prompts.rmm_prompt(needed, names, offers, by_file), check)
+        self._reached.functions = names
         for name, text in function_files(found, needed, names, self._origin()):
             self._reached.files[f"{FILES[RMM]}/{name}"] = text
 

@@ -22,11 +22,12 @@ from smsl_studio.blueprint.edges import Edges
 from smsl_studio.blueprint.levels import Levels
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.generate.text.steps import Words
+from smsl_studio.library.generated_functions import literal_pattern
+from smsl_studio.library.generated_reach import LONGEST_CODE, code_faults
 from smsl_studio.library.loaded import Loaded
 
 Json = Any
-LONGEST_CODE = 20_000
-"""The largest number of characters of a function. A small motion needs far less."""
+MOST_FAULTS = 3
 LONGEST_STEM = 150
 MOST_WAYS = 20
 """A question tells so many edges of one operation."""
@@ -114,9 +115,11 @@ def file_names(needed: Iterable[str]) -> dict[str, str]:
 
 
 def is_offered(loaded: Loaded, branch: str, operation: str) -> bool:
-    """Return whether an installed plugin has a function for an operation of this name."""
+    """Return whether an installed plugin has a function for an operation of this name. Generated
+    ones do not count: they are asked for as before, so that the same answers give the same
+    bytes."""
     return any(
-        entry.pattern is not None and entry.texts(branch, operation) is not None
+        not entry.code and entry.texts(branch, operation) is not None
         for plugin in loaded.plugins
         for entry in plugin.library.operations
     )
@@ -129,11 +132,11 @@ def faults_of(functions: Functions, needed: Mapping[str, NeededFunction]) -> lis
         if one.operation not in needed:
             found.append(f"{one.operation} needs no function")
         elif one.code:
-            try:
-                tree = ast.parse(one.code)
-            except (SyntaxError, ValueError, RecursionError, MemoryError) as error:
-                found.append(f"{one.operation}: the code is no Python: {error}")
+            faults = [f"line {fault.line}: {fault.sentence}" for fault in code_faults(one.code)]
+            found += [f"{one.operation}: {fault}" for fault in faults[:MOST_FAULTS]]
+            if faults:
                 continue
+            tree = ast.parse(one.code)
             names = [part.name for part in tree.body if isinstance(part, ast.FunctionDef)]
             if function_name(one.operation) not in names:
                 found.append(f"{one.operation}: it has no function {function_name(one.operation)}")
@@ -179,6 +182,26 @@ def _with_origin(text: str, operation: str, origin: Mapping[str, Json], is_answe
         "",
     ]
     return "\n".join(head) + "\n" + text.rstrip("\n") + "\n"
+
+
+def functions_manifest(names: Mapping[str, str], called: str) -> str:
+    """Return the ``plugin.toml`` of functions. ``names`` has the file of each operation, ``called``
+    is the name of the blueprint. The folder is loaded from nowhere: a person reads and allows it
+    first."""
+    stem = re.sub(r"[^a-z0-9]+", "_", called.lower()).strip("_")[:40] or "blueprint"
+    about = f"Generated functions of {called[:200]}: read by a person, and tried by a sweep."
+    listed = ", ".join(_toml(literal_pattern(operation)) for operation in names)
+    lines = [f'name = "rmm_{stem}"', f"description = {_toml(about)}", f"operations = [{listed}]"]
+    for operation, file in names.items():
+        lines += [
+            "", "[[generated]]", f"operation = {_toml(operation)}", f"file = {_toml(file)}",
+            f"function = {_toml(function_name(operation))}",
+        ]  # fmt: skip
+    return "\n".join(lines) + "\n"
+
+
+def _toml(text: str) -> str:
+    return json.dumps(text, ensure_ascii=True)
 
 
 def codes_of(files: Sequence[tuple[str, str]], names: Mapping[str, str]) -> Functions:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 
 from smsl_studio.generate.text.equipment_reader import read_equipment
-from smsl_studio.generate.text.prompts import HIM, PM, PSM
+from smsl_studio.generate.text.prompts import HIM, PM, RMM
 from smsl_studio.generate.text.provider import Matter, StageAnswer, StageQuestion
 from smsl_studio.generate.text.serialization import blueprint_values
 from smsl_studio.generate.text.step_numbers import numbered
@@ -25,6 +25,8 @@ class TextReader:
         return StageAnswer(self._text(question.stage, question.matter), self.name)
 
     def _text(self, stage: str, matter: Matter) -> str:
+        if stage == RMM:
+            return '{"functions": []}'
         if stage == PM:
             return numbered(read_steps(matter.texts)).model_dump_json(exclude_defaults=True)
         procedure = matter.procedure
@@ -33,8 +35,6 @@ class TextReader:
         if stage == HIM:
             found = read_equipment(procedure, matter.texts, matter.hardware)
             return found.model_dump_json(exclude_defaults=True)
-        if stage == PSM:
-            equipment = matter.equipment
-            sensors = equipment.sensors() if equipment is not None else {}
-            return json.dumps(blueprint_values(procedure, sensors), ensure_ascii=False)
-        return '{"functions": []}'
+        equipment = matter.equipment
+        sensors = equipment.sensors() if equipment is not None else {}
+        return json.dumps(blueprint_values(procedure, sensors), ensure_ascii=False)

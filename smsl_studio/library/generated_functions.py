@@ -1,0 +1,124 @@
+"""Makes functions of generated files: limited code, under the watch, as entries of a library."""
+
+from __future__ import annotations
+
+import ast
+import builtins
+import inspect
+import math
+from collections.abc import Callable
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from smsl_studio.errors import Place, PluginError
+from smsl_studio.library.generated_reach import GIVEN, parsed
+from smsl_studio.library.generated_watch import Steps, trusted, watched
+from smsl_studio.library.operation_entry import OperationEntry
+from smsl_studio.library.operation_library import OperationLibrary
+from smsl_studio.library.pattern import read_pattern
+from smsl_studio.library.signature import Signature
+from smsl_studio.seal.digest import sha256_hex
+
+if TYPE_CHECKING:
+    from smsl_studio.library.manifest import GeneratedFunction
+    from smsl_studio.library.sources import Sources
+
+TIMEOUT = 60.0
+"""The simulated seconds after which a generated function is given up."""
+DO = "do"
+"""The name by which generated code asks for an operation that its world has."""
+Operations = Callable[[Any, str], Steps]
+"""Begins an operation of a world by its name: ``operations(world, name)``."""
+
+
+def register_generated(
+    library: OperationLibrary, functions: tuple[GeneratedFunction, ...], sources: Sources
+) -> None:
+    """Add generated functions to a library. Skeletons are left out. PluginError, with its file and
+    line, if one says what it may not."""
+    taken: set[str] = set()
+    for one in functions:
+        file = str(sources.folder / one.file)
+        raw = sources.modules.get(one.file)
+        if raw is None:
+            raise PluginError(f"the file {one.file} is missing", Place(file, 1, 1))
+        code = read_code(raw, file)
+        tree = parsed(code, file)
+        if is_skeleton(tree):
+            continue
+        name = one.function
+        while name in taken:
+            name += "_"
+        taken.add(name)
+        library.operations.append(
+            OperationEntry(
+                function=_function(tree, one, file),
+                name=f"{library.name}.{name}",
+                pattern=read_pattern(literal_pattern(one.operation), {}),
+                signature=Signature({}, frozenset(), False),
+                stop="hold",
+                timeout=TIMEOUT,
+                code=digest_of(one.operation, raw),
+            )
+        )
+
+
+def digest_of(operation: str, raw: bytes) -> str:
+    """Return the SHA-256 of a function: its operation and the bytes of its file."""
+    return sha256_hex(operation.encode("utf-8", "replace") + b"\0" + raw)
+
+
+def literal_pattern(operation: str) -> str:
+    """Return the pattern that only this ``SB/Operation`` matches."""
+    return operation.replace("{", "{{").replace("}", "}}")
+
+
+def read_code(raw: bytes, file: str) -> str:
+    """Return the text of a file. PluginError if it is no text."""
+    try:
+        return raw.decode("utf-8")
+    except UnicodeDecodeError:
+        raise PluginError("the code is not UTF-8", Place(file, 1, 1)) from None
+
+
+def is_skeleton(tree: ast.Module) -> bool:
+    """Return whether a file has only the place for a motion: its last line says so."""
+    last = [one.body[-1] for one in tree.body if isinstance(one, ast.FunctionDef)][-1:]
+    return bool(last) and isinstance(last[0], ast.Raise) and _is_unwritten(last[0].exc)
+
+
+def _is_unwritten(error: ast.expr | None) -> bool:
+    called = error.func if isinstance(error, ast.Call) else error
+    return isinstance(called, ast.Name) and called.id == "NotImplementedError"
+
+
+def _function(tree: ast.Module, one: GeneratedFunction, file: str) -> Callable[..., Steps]:
+    """Return the function of an operation, called as ``function(world, operations=...)``."""
+    body = [part for part in tree.body if isinstance(part, ast.FunctionDef)]
+    for part in ast.walk(ast.Module(body=list(body), type_ignores=[])):
+        if isinstance(part, ast.FunctionDef):
+            part.returns = None
+        elif isinstance(part, ast.arg):
+            part.annotation = None
+    names: dict[str, Any] = {
+        "__builtins__": {name: getattr(builtins, name) for name in GIVEN},
+        "__name__": one.function,
+        "math": math,
+    }
+    module = ast.Module(body=list(body), type_ignores=[])
+    exec(compile(module, str(Path(file)), "exec"), names)
+    made = names.get(one.function)
+    if not inspect.isgeneratorfunction(made):
+        raise PluginError(
+            f"it has no function {one.function} with a yield",
+            Place(file, 1, 1),
+            f"Write def {one.function}(world): and a yield wherever the world goes on for a tick.",
+        )
+    if made.__code__.co_argcount != 1:
+        raise PluginError(f"{one.function} takes the world alone", Place(file, 1, 1))
+
+    def motion(world: Any, operations: Operations) -> Steps:
+        names[DO] = lambda _, name: trusted(operations(world, str(name)))
+        return (yield from watched(lambda: made(world)))
+
+    return motion
