@@ -101,12 +101,11 @@ def read_documents(documents: tuple[tuple[str, str, str], ...]) -> Blueprint:
     return read_gathered([form_named(form).parse(text, file) for file, form, text in documents])
 
 
-def plugins_of(
-    recipe: Recipe, loads: Callable[[str], None], *, apart: bool = False
-) -> Loaded:
+def plugins_of(recipe: Recipe, loads: Callable[[str], None], *, apart: bool = False) -> Loaded:
     """Load the plugins of a recipe. ``loads`` gets the name of each before it is loaded, and an
     empty one at the end. Generated functions come only to a process that is ``apart``: it is shut
-    in before they run, so it builds its world once. WorldError for a world that is hardware and not approved."""
+    in before they run, so it builds its world once. WorldError for a world that is hardware and not
+    approved."""
     loaded = Loaded()
     if recipe.world != TABLE:
         signed = None if recipe.signed is None else dict(recipe.signed)
