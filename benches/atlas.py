@@ -5,9 +5,10 @@ operation leaves. The operation is asked for, and the fault is injected 0.3 s af
 the run goes on by itself to the goal, and adopts the sensed state where that is the only one that
 fits. That is done with ``hanoi-failures.json``, which has failure states and ways out of them.
 
-The prediction knows no physics. It knows what a fault does to the facts, and which operations it
-makes impossible for good. The planner then says whether a route leads from there to the goal, as
-``check --recoverability`` does. Where rings truly stood is judged from their poses
+The prediction is that of the page Campaign (``front/fault_foresight.py``) and knows no physics. It
+knows what a fault does to the facts, and which operations it makes impossible for good. The planner
+then says whether a route leads from there to the goal, as ``check --recoverability`` does. Where
+rings truly stood is judged from their poses
 (``tests/plugins/faulted.py``), at each commit and at the goal.
 
     python -m benches.atlas --keep atlas.jsonl --workers 2 --write
@@ -33,12 +34,13 @@ from pathlib import Path
 
 from benches.row import Row
 from smsl_studio.blueprint.address import Address
-from smsl_studio.blueprint.configuration import Hierarchy
 from smsl_studio.blueprint.model import Blueprint
-from smsl_studio.blueprint.terms import Terms
 from smsl_studio.dispatch.dispatcher import Dispatcher
 from smsl_studio.dispatch.drive.foresight import sensed_values
-from smsl_studio.dispatch.route.planner import Planner
+from smsl_studio.front.campaign_faults import arguments_of
+from smsl_studio.front.fault_foresight import HELD as FORESEEN_HELD
+from smsl_studio.front.fault_foresight import FaultForesight
+from smsl_studio.front.hosts import known_world
 from smsl_studio.front.inputs import read
 from smsl_studio.front.runs import open_run
 from smsl_studio.runlog.events import (
@@ -115,60 +117,21 @@ def given_of(fault: str, edge: Address) -> Mapping[str, int | str]:
     return {"peg": peg} if fault == "blocked_peg" else {}
 
 
-def foreseen(blueprint: Blueprint, edge: Address, fault: str) -> Foreseen:
+def foreseen(edge: Address, fault: str) -> Foreseen:
     """Predict how a run with a fault in an operation ends, from the blueprint alone."""
-    facts, disk, peg = list(edge.state[-3:]), int(edge.operation[3]), edge.operation[4]
-    after, shut, why = _effect(fault, facts, disk, peg)
-    if not why and after == [*facts[: disk - 1], peg, *facts[disk:]]:
-        return Foreseen(UNDISTURBED, "".join(after))
-    state = f"State_{''.join(after)}"
-    branch = blueprint["SB1"]
-    if state not in branch.table:
-        return Foreseen(HELD, "".join(after), why or "no state of the blueprint has these facts")
-    closed = {
-        one.address: "impossible" for one in branch.edges() if _moved(one.address) in shut
-    } | {edge: "risky"}
-    planner = Planner(Hierarchy(blueprint), Terms(shut=closed))
-    legs = planner.legs({"SB1": state}, [Address("SB1", branch.activating)])
-    return Foreseen(HELD if legs is None else RECOVERED, "".join(after), why)
+    told = _foresight().look(fault, edge)
+    assert told is not None
+    end = HELD if told.end == FORESEEN_HELD else RECOVERED if told.disturbed else UNDISTURBED
+    return Foreseen(end, "".join(value or "?" for value in told.facts), told.why)
 
 
-def _moved(edge: Address) -> tuple[int, str]:
-    return int(edge.operation[-2]), edge.operation[-1]
-
-
-def _effect(
-    fault: str, facts: Sequence[str], disk: int, peg: str
-) -> tuple[list[str], set[tuple[int, str]], str]:
-    """Return the facts after a fault, the moves (disk, peg) that it makes impossible, and why."""
-    own, every = {(disk, to) for to in "abc"}, {(n, to) for n in (1, 2, 3) for to in "abc"}
-
-    def with_own(value: str) -> list[str]:
-        return [*facts[: disk - 1], value, *facts[disk:]]
-
-    if fault in ("gripper_opens", "disk_pushed"):
-        return with_own("x"), set(), ""
-    if fault == "slippery":
-        return with_own("x"), own, f"disk {disk} slips out of every grip"
-    if fault == "blocked_peg":
-        return with_own("h"), {(n, peg) for n in (1, 2, 3)}, f"no disk goes on peg {peg}"
-    if fault == "seized_joint":
-        return list(facts), every, "the arm cannot move"
-    if fault == "weak_grip":
-        return list(facts), every, "the fingers have no force"
-    if fault == "disk_off_board":
-        return with_own("?"), own, f"disk {disk} is out of sight"
-    if fault == "tower_carried":
-        below = [n for n in range(disk + 1, 4) if facts[n - 1] == facts[disk - 1]]
-        after = with_own(peg)
-        if below:
-            after[below[0] - 1] = peg
-        return after, set(), ""
-    towers = [[n for n in (3, 2, 1) if n != disk and facts[n - 1] == at] for at in "abc"]
-    tops = sorted(tower[-1] for tower in towers if tower)
-    after = with_own(peg)
-    after[(tops[1] if len(tops) > 1 else max(n for n in (1, 2, 3) if n != disk)) - 1] = "x"
-    return after, set(), ""
+@cache
+def _foresight() -> FaultForesight:
+    blueprint = _blueprint()
+    loaded = known_world("hanoi")
+    assert loaded is not None
+    arguments = arguments_of(blueprint, "hanoi", loaded)
+    return FaultForesight(blueprint, loaded.faults_of("hanoi"), arguments, adopts=True)
 
 
 # -- the runs --------------------------------------------------------------------------------------
@@ -183,7 +146,7 @@ def cell(number: int) -> Cell:
     """Predict and run one cell, by its number: edge by edge, with the faults in their order."""
     blueprint, begun = _blueprint(), time.process_time()
     edge, fault = edges_of(blueprint)[number // len(FAULTS)], FAULTS[number % len(FAULTS)]
-    told = foreseen(blueprint, edge, fault)
+    told = foreseen(edge, fault)
     events, seen, wrong = _run(blueprint, edge, fault)
     last = events[-1]
     assert isinstance(last, RunFinished)

@@ -13,6 +13,7 @@ from smsl_studio.errors import WorldError
 from smsl_studio.world.mishaps import seize
 
 from .disks import CAP, CAP_HEIGHT, CAP_LID, MIDDLE, PEG_TOP, PEGS, Disk, cap_aside
+from .fault_effects import EFFECTS
 
 if TYPE_CHECKING:
     from smsl_studio.library.operation_library import OperationLibrary
@@ -132,7 +133,8 @@ def register_faults(library: OperationLibrary) -> None:
     """Register the nine faults of the worlds ``hanoi`` and ``hanoi-mujoco``."""
     for function in FAULTS:
         for world in ("hanoi", OTHER):
-            library.fault(world, function.__name__)(function)
+            name = function.__name__
+            library.fault(world, name, effect=EFFECTS[name])(function)
 
 
 def _until_lifted(table: Table) -> Fault:

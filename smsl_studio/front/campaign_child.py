@@ -21,6 +21,7 @@ from typing import Any
 from smsl_studio.errors import StudioError, UsageError, WorldError
 from smsl_studio.front.campaign_cluster import files_of
 from smsl_studio.front.campaign_faults import CampaignRequest
+from smsl_studio.front.campaign_foreseen import CampaignForesight
 from smsl_studio.front.campaign_runs import (
     CampaignRun,
     Injection,
@@ -34,6 +35,7 @@ from smsl_studio.front.campaign_runs import (
 )
 from smsl_studio.front.campaigns import CampaignWatch, campaign
 from smsl_studio.front.child_lines import told_lines
+from smsl_studio.front.fault_foresight import HELD, REACHED, FaultEnd
 from smsl_studio.front.inputs import read
 from smsl_studio.front.runs import run_request
 from smsl_studio.host.started_child import environment_of_child
@@ -139,6 +141,11 @@ class CampaignChild:
                 if verdict is None or not _is_place(row, rows) or not _is_place(seed, AT_ONCE):
                     raise _dead()
                 watch.hear(row, seed, verdict)
+            elif "foreseen" in told:
+                foreseen, row = _foreseen(told["foreseen"]), told.get("of")
+                if foreseen is None or type(row) is not int or not _is_place(row, rows):
+                    raise _dead()
+                watch.foresee(row, foreseen)
             elif "refused" in told:
                 words, advice = str(told["refused"])[:1000], str(told.get("advice") or "")[:1000]
                 raise UsageError(words, advice=advice)
@@ -172,6 +179,13 @@ def _injections(told: Json) -> list[Injection | None] | None:
     return [one.injection for one in runs]
 
 
+def _foreseen(told: Json) -> FaultEnd | None:
+    """Return how the runs of a row were foreseen to end. None if it is no such thing."""
+    if not isinstance(told, list) or len(told) != 2 or told[0] not in (REACHED, HELD):
+        return None
+    return FaultEnd(told[0], told[1][:1000], ()) if isinstance(told[1], str) else None
+
+
 _BARE = {"world": "", "seed": 0, "robot": "", "starts": (), "goals": (), "agents": ()}
 
 
@@ -201,6 +215,9 @@ class _Telling(CampaignWatch):
 
     def __init__(self) -> None:
         self.pausing = self.ending = False
+        self.foresight: CampaignForesight | None = None
+        self._rows: Sequence[Injection | None] = ()
+        self._foreseen: set[int] = set()
         # What a plugin prints must not stand between the lines.
         self._out = os.fdopen(os.dup(1), "w", encoding="ascii")
         os.dup2(os.open(os.devnull, os.O_WRONLY), 1)
@@ -212,11 +229,18 @@ class _Telling(CampaignWatch):
 
     def begin(self, rows: Sequence[Injection | None], seeds: int) -> None:
         """Tell the rows."""
+        self._rows = rows
         asked = [run_as_json(CampaignRun("", 0, one))["injection"] for one in rows]
         self.say(rows=asked, seeds=seeds)
 
     def hear(self, row: int, seed: int, verdict: RunVerdict) -> None:
-        """Tell a run. Stopped if somebody pauses."""
+        """Tell a run, before the first one of a row what was foreseen. Stopped if somebody
+        pauses."""
+        if self.foresight is not None and row not in self._foreseen:
+            self._foreseen.add(row)
+            end = self.foresight.look(self._rows[row])
+            if end is not None:
+                self.say(foreseen=[end.end, end.why], of=row)
         self.say(row=row, seed=seed, **verdict_as_json(verdict))
         if self.pausing:
             raise Stopped
@@ -267,6 +291,7 @@ def _carry_out(asked: Json, telling: _Telling) -> None:
     }
     part = Path(asked["part"]) if asked["part"] is not None else None
     request = CampaignRequest(blueprint, **values, part=part)
+    telling.foresight = CampaignForesight(request)
     done_all = campaign(request, watch=telling)
     end = {"paused": False, "digest": done_all.digest, "left_out": list(done_all.left_out)}
     telling.say(end={**end, "made": done_all.made})

@@ -84,7 +84,7 @@ def chosen_injections(
         if name not in offered:
             near = did_you_mean(name, offered) or f"It has {', '.join(offered)}."
             raise UsageError(f"the world {request.world!r} has no fault {name!r}", advice=near)
-    arguments = _arguments(request.blueprint, request.world, loaded)
+    arguments = arguments_of(request.blueprint, request.world, loaded)
     route = _route(request)
     edges = route if request.edges == ROUTE else _all_edges(request.blueprint)
     found: list[Injection | None] = []
@@ -147,9 +147,11 @@ def _all_edges(blueprint: Blueprint) -> list[Address]:
     ]
 
 
-def _arguments(
+def arguments_of(
     blueprint: Blueprint, world: str, loaded: Loaded | None
 ) -> dict[Address, Mapping[str, Json]]:
+    """Return the arguments of each operation's function in a world. Without plugins there are
+    none."""
     if loaded is None:
         return {}
     bound = bind(blueprint, loaded, world, bindings_beside(blueprint.file)).operations

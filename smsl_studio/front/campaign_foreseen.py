@@ -1,75 +1,41 @@
-"""What the blueprint alone foresees of a fault in an operation: whether a run gets to its goal all
-the same.
-
-It foresees that the operation fails and nothing else changes. Then the run tags it as risky, and
-reaches its goal if another way leads there. A fault that changes facts, or stops other operations
-too, may end otherwise: then prediction and outcome differ.
-"""
+"""What a campaign foresees of its rows, and a row that ended otherwise in words."""
 
 from __future__ import annotations
 
 from smsl_studio.blueprint.address import Address
-from smsl_studio.blueprint.configuration import Hierarchy
-from smsl_studio.blueprint.model import Blueprint
-from smsl_studio.blueprint.terms import Terms
-from smsl_studio.dispatch.route.planner import Planner
-from smsl_studio.errors import StudioError
-from smsl_studio.front.campaign_tally import HELD, REACHED, CampaignCell
-from smsl_studio.front.starts import start_for_edge
-
-WHY = {
-    REACHED: "if it fails, another way leads to the goal",
-    HELD: "if it fails, no other way leads to the goal",
-}
-"""Why an end is foreseen."""
+from smsl_studio.front.campaign_faults import CampaignRequest, arguments_of
+from smsl_studio.front.campaign_runs import Injection
+from smsl_studio.front.campaign_tally import CampaignCell
+from smsl_studio.front.fault_foresight import FaultEnd, FaultForesight
+from smsl_studio.front.hosts import known_world
 
 
 class CampaignForesight:
-    """Foresees the runs of one campaign. Each operation is looked at once."""
+    """Foresees the rows of one campaign. The plugins of its world are loaded in this process."""
 
-    def __init__(self, blueprint: Blueprint, goals: tuple[str, ...] = ()) -> None:
-        self._blueprint, self._goals = blueprint, goals
-        self.known: dict[str, str] = {"": ""}
-        """The foreseen end by the address of the operation; empty where none can be foreseen."""
+    def __init__(self, request: CampaignRequest) -> None:
+        loaded = known_world(request.world)
+        self._foresight = FaultForesight(
+            request.blueprint,
+            loaded.faults_of(request.world) if loaded else {},
+            arguments_of(request.blueprint, request.world, loaded),
+            request.goals,
+        )
 
-    def look(self, edge: str) -> str:
-        """Return the foreseen end of runs with a fault in an operation: ``reached`` or ``held``.
-        Empty if nothing can be foreseen."""
-        if edge not in self.known:
-            try:
-                self.known[edge] = self._foreseen(Address(*Address.split(edge)))
-            except StudioError:
-                self.known[edge] = ""
-        return self.known[edge]
-
-    def _foreseen(self, edge: Address) -> str:
-        branch = self._blueprint.branches.get(edge.branch)
-        if branch is None or edge.operation not in branch.table.get(edge.state, {}):
-            return ""
-        hierarchy = Hierarchy(self._blueprint)
-        start = start_for_edge(hierarchy, edge)
-        if start is None:
-            return ""
-        named = [Address(*Address.split(goal)) for goal in self._goals]
-        roots = [Address(name, self._blueprint[name].activating) for name in hierarchy.roots]
-        planner = Planner(hierarchy, Terms(shut={edge: "risky"}))
-        return HELD if planner.legs(start, named or roots) is None else REACHED
-
-    def differs(self, cell: CampaignCell) -> bool:
-        """Whether most runs of a cell whose runs are all done ended otherwise than foreseen."""
-        told = self.known.get(cell.edge, "")
-        if not told or cell.runs < cell.seeds:
-            return False
-        if not cell.begun:
-            return False  # nothing was seen
-        return (told == REACHED) is not (2 * cell.counts[REACHED] >= cell.begun)
+    def look(self, injection: Injection | None) -> FaultEnd | None:
+        """Return how the runs of a row end. None if that cannot be foreseen, and without a
+        fault."""
+        if injection is None:
+            return None
+        return self._foresight.look(injection.fault, injection.edge)
 
 
-def finding_of(cell: CampaignCell, told: str, world: str) -> str:
+def finding_of(cell: CampaignCell, world: str) -> str:
     """Return a cell that ended otherwise than foreseen in words, for a note on the drawing."""
     seen = ", ".join(f"{number:,} {kind}" for kind, number in cell.counts.items() if number)
-    operation = Address.split(cell.edge)[-1]
+    operation, told = Address.split(cell.edge)[-1], cell.foreseen
+    foreseen = f" Foreseen: {told.end}, because {told.why}." if told is not None else ""
     return (
-        f"Campaign in the world {world}: {cell.fault} in {operation}. Foreseen: {told}, because "
-        f"{WHY[told]}. Seen: {seen} of {cell.runs:,} runs."
+        f"Campaign in the world {world}: {cell.fault} in {operation}.{foreseen} "
+        f"Seen: {seen} of {cell.runs:,} runs."
     )

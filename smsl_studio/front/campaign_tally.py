@@ -7,8 +7,9 @@ from dataclasses import dataclass, field
 
 from smsl_studio.front.campaign_runs import Injection, RunVerdict
 from smsl_studio.front.campaigns import Campaign, CampaignWatch, row_of, wilson
+from smsl_studio.front.fault_foresight import HELD, REACHED, FaultEnd
 
-REACHED, REFUSED, HELD, FAILED = "reached", "refused", "held", "failed"
+REFUSED, FAILED = "refused", "failed"
 KINDS = (REACHED, REFUSED, HELD, FAILED)
 """How a run can end: at its goal, before its begin, at rest before its goal, or with an error. The
 gravest is the last. A run that was refused shows nothing of the procedure, so no share counts it.
@@ -38,6 +39,8 @@ class CampaignCell:
     verdicts: dict[int, RunVerdict] = field(default_factory=dict)
     counts: dict[str, int] = field(default_factory=lambda: dict.fromkeys(KINDS, 0))
     recovered: int = 0
+    foreseen: FaultEnd | None = None
+    """How its runs were foreseen to end, None if that is not known."""
 
     @property
     def fault(self) -> str:
@@ -53,6 +56,13 @@ class CampaignCell:
     def runs(self) -> int:
         """How many runs are done."""
         return len(self.verdicts)
+
+    @property
+    def differs(self) -> bool:
+        """Whether all runs are done, and most of those that began ended otherwise than foreseen."""
+        if self.foreseen is None or self.runs < self.seeds or not self.begun:
+            return False
+        return (self.foreseen.end == REACHED) is not (2 * self.counts[REACHED] >= self.begun)
 
     @property
     def begun(self) -> int:
@@ -111,6 +121,10 @@ class CampaignTally(CampaignWatch):
         self.edges = tuple(dict.fromkeys(one.edge for one in self.cells))
         self._places = {(one.edge, one.fault): one for one in self.cells}
         self.done = 0
+
+    def foresee(self, row: int, end: FaultEnd) -> None:
+        """Keep how the runs of a row were foreseen to end."""
+        self.cells[row].foreseen = end
 
     def hear(self, row: int, seed: int, verdict: RunVerdict) -> None:
         """Count a run. One that is told twice counts once."""

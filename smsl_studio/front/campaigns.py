@@ -26,6 +26,7 @@ from smsl_studio.front.campaign_runs import (
     request_of,
 )
 from smsl_studio.front.campaign_workers import CampaignWorkers
+from smsl_studio.front.fault_foresight import FaultEnd
 from smsl_studio.front.hosts import known_world, with_robot
 from smsl_studio.front.request import RunRequest
 from smsl_studio.stop import Stopped, heed
@@ -90,6 +91,9 @@ class CampaignWatch:
 
     def begin(self, rows: Sequence[Injection | None], seeds: int) -> None:
         """Hear the rows, and the number of seeds of each."""
+
+    def foresee(self, row: int, end: FaultEnd) -> None:
+        """Hear how the runs of a row were foreseen to end."""
 
     def hear(self, row: int, seed: int, verdict: RunVerdict) -> None:
         """Hear how a run of a row ended. It may raise Stopped; this run is kept then."""

@@ -37,12 +37,17 @@ class WorldEntry:
 
 @dataclass(frozen=True, slots=True)
 class FaultEntry:
-    """A fault that can be injected into a world by its name."""
+    """A fault that can be injected into a world by its name.
+
+    ``effect`` tells what it does to an operation (see ``fault_effect``); None is not known, also
+    where the code is elsewhere.
+    """
 
     world: str
     name: str
     function: Callable[..., Any]
     signature: Signature
+    effect: Callable[..., Any] | None = None
 
 
 @dataclass(frozen=True, slots=True)

@@ -310,12 +310,18 @@ class OperationLibrary:
 
         return keep
 
-    def fault(self, world: str, name: str) -> Callable[[FunctionT], FunctionT]:
+    def fault(
+        self, world: str, name: str, *, effect: Callable[..., Any] | None = None
+    ) -> Callable[[FunctionT], FunctionT]:
         """Register a fault. The decorated ``f(world, ...)`` causes it when a user or a script asks.
 
         A plain function acts at once. A generator is resumed at every tick, after the running
         operation and before the world's step, until it ends or the world is opened again. The
         function raises a StudioError if the fault is not possible now.
+
+        ``effect(facts, arguments)`` tells without a world what the fault does to an operation, as a
+        ``FaultEffect`` of ``library.fault_effect``: ``facts`` are those of its source, digit 0
+        first, ``arguments`` those of its function. Campaigns foresee with it how a run ends.
         """
         name, world = proper_name(name, "a fault"), proper_name(world, "a world")
         if not name.isidentifier() or (world, name) in self.faults:
@@ -323,7 +329,7 @@ class OperationLibrary:
 
         def keep(function: FunctionT) -> FunctionT:
             """Register the fault. PluginError for a parameter with a name that a script needs."""
-            entry = FaultEntry(world, name, function, signature_of(function))
+            entry = FaultEntry(world, name, function, signature_of(function), effect)
             taken = next((one for one in ("fault", "by") if one in entry.signature.types), None)
             if taken is not None:
                 raise PluginError(f"a parameter of the fault {name!r} cannot be called {taken!r}")

@@ -17,16 +17,9 @@ from smsl_studio.front.campaign_child import CampaignChild, CampaignEnd
 from smsl_studio.front.campaign_faults import CampaignRequest
 from smsl_studio.front.campaign_rates import proposals, with_rates
 from smsl_studio.front.campaign_runs import RunVerdict
-from smsl_studio.front.campaign_tally import (
-    FAILED,
-    HELD,
-    KINDS,
-    REACHED,
-    REFUSED,
-    CampaignTally,
-    share_of,
-)
+from smsl_studio.front.campaign_tally import FAILED, KINDS, REFUSED, CampaignTally, share_of
 from smsl_studio.front.campaigns import campaign
+from smsl_studio.front.fault_foresight import HELD, REACHED
 from smsl_studio.front.logs import verify
 from smsl_studio.smsl.json_form import parse_json
 
@@ -115,6 +108,8 @@ LIES = (
     b"", b"nonsense\n", b"[]\n", b'{"what": 1}\n', b'{"end": {"paused": 1}}\n', ROWS,
     b'{"rows": []}\n', b'{"rows": [7], "seeds": 1}\n', b'{"rows": [null], "seeds": 0}\n',
     b'{"rows": [null], "seeds": true}\n', b'{"row": 0, "seed": 0, ' + RUN,
+    ROWS + b'{"foreseen": ["won", "it"], "of": 0}\n',
+    ROWS + b'{"foreseen": ["held", "it"], "of": 1}\n',
     ROWS + b'{"row": 1, "seed": 0, ' + RUN, ROWS + b'{"row": 0, "seed": -1, ' + RUN,
 )  # fmt: skip
 

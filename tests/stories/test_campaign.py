@@ -206,9 +206,9 @@ def test_what_ended_otherwise_becomes_a_note_that_can_be_taken_back(person: Pers
     assert shown.table.chosen is not None
     assert shown.side.foreseen.text().startswith("Foreseen: held"), "there is no other way"
     assert shown.differ.text().endswith("  0")
-    shown.finding_wanted.emit(shown.table.chosen, "reached")
+    shown.finding_wanted.emit(shown.table.chosen)
     (note,) = person.blueprint["SB"].drawn.notes.values()
-    assert note.text.startswith("Campaign in the world table: fail in Go. Foreseen: reached")
+    assert note.text.startswith("Campaign in the world table: fail in Go. Foreseen: held")
     assert note.state == "State_a"
     assert [str(one) for one in person.window.session.selection] == ["SB/State_a/Go"]
     person.ctrl(Key.Key_Z)

@@ -25,7 +25,6 @@ from PySide6.QtWidgets import (
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.model import Blueprint
-from smsl_studio.front.campaign_foreseen import CampaignForesight
 from smsl_studio.front.campaign_tally import CampaignCell, CampaignShare, CampaignTally, share_of
 from smsl_studio.front.views.states import short_name
 from smsl_studio.legible import plain_text
@@ -64,7 +63,6 @@ class AtlasModel(QAbstractTableModel):
     def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)
         self.tally = CampaignTally()
-        self.foresight: CampaignForesight | None = None
         self._names: dict[str, tuple[str, str]] = {}
 
     @property
@@ -161,21 +159,14 @@ class AtlasModel(QAbstractTableModel):
             return "cannot occur here"
         if cell.runs < cell.seeds:
             return f"{cell.runs:,} of {cell.seeds:,} runs" if cell.runs else "not yet run"
-        other = f", foreseen {self.foreseen(cell)}" if self.differs(cell) else ""
+        told = cell.foreseen
+        other = f", foreseen {told.end}" if told is not None and cell.differs else ""
         return f"{counts_words(cell.counts)}{other}"
-
-    def foreseen(self, cell: CampaignCell) -> str:
-        """How runs of a cell were foreseen to end; empty if that is not known."""
-        return self.foresight.known.get(cell.edge, "") if self.foresight is not None else ""
-
-    def differs(self, cell: CampaignCell) -> bool:
-        """Whether a cell ended otherwise than foreseen."""
-        return self.foresight is not None and self.foresight.differs(cell)
 
     @property
     def differing(self) -> tuple[CampaignCell, ...]:
         """The cells that ended otherwise than foreseen."""
-        return tuple(one for one in self.tally.cells if self.differs(one))
+        return tuple(one for one in self.tally.cells if one.differs)
 
 
 def names_of(edge: str, blueprint: Blueprint) -> tuple[str, str]:
@@ -224,12 +215,12 @@ class _AtlasCells(QStyledItemDelegate):
         else:
             box = room.adjusted(3, 3, -3, -4)
             cell = model.cell(index)
-            if self.only and (cell is None or not model.differs(cell)):
+            if self.only and (cell is None or not cell.differs):
                 painter.setOpacity(0.2)
-            ticks = cell is not None and cell.runs >= cell.seeds and bool(model.foreseen(cell))
+            ticks = cell is not None and cell.runs >= cell.seeds and cell.foreseen is not None
             self._cell(painter, box.adjusted(0, 0, -TICKS if ticks else 0, 0), cell)
             if ticks and cell is not None:
-                paint_ticks(painter, box, model.differs(cell), tokens)
+                paint_ticks(painter, box, cell.differs, tokens)
             if option.state & QStyle.StateFlag.State_Selected:
                 painter.setPen(QPen(tokens.acc, 2))
                 painter.setBrush(Qt.BrushStyle.NoBrush)
@@ -339,10 +330,10 @@ class AtlasTable(QTableView):
         if again or self.horizontalHeader().sectionSize(0) < NAME // 2:
             self._fit()
 
-    def show_foresight(self, foresight: CampaignForesight | None, only: bool) -> None:
-        """Show what was foreseen, and with ``only`` the cells that ended otherwise alone."""
+    def show_only(self, only: bool) -> None:
+        """Show, with ``only``, the cells alone that ended otherwise than foreseen."""
         atlas = self.atlas
-        atlas.foresight, self._cells.only = foresight, only
+        self._cells.only = only
         kept = {one.edge for one in atlas.differing} if only else set(atlas.tally.edges)
         for at, edge in enumerate(atlas.tally.edges):
             if self.isRowHidden(at) is (edge in kept):

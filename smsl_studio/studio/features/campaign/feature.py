@@ -194,7 +194,7 @@ class CampaignFeature(Feature):
         dialog.accepted.connect(write)
         dialog.open()
 
-    def open_finding(self, cell: CampaignCell, told: str) -> None:
+    def open_finding(self, cell: CampaignCell) -> None:
         """Write a note of what ended otherwise than foreseen, as one step of the history, and show
         it."""
         from datetime import date
@@ -210,7 +210,7 @@ class CampaignFeature(Feature):
             self._parts.toast.say("The drawing has no such state any more.")
             return
         words = {
-            "text": finding_of(cell, told, self.work.request.world), "state": edge.state,
+            "text": finding_of(cell, self.work.request.world), "state": edge.state,
             "date": date.today().isoformat(), "at": (AT, 2 * AT),
         }  # fmt: skip
         key = next(free_keys(session.blueprint[edge.branch].drawn.notes))

@@ -7,7 +7,8 @@ from collections.abc import Mapping
 from PySide6.QtCore import QRectF, Qt
 from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen
 
-from smsl_studio.front.campaign_tally import FAILED, HELD, REACHED, REFUSED, CampaignShare
+from smsl_studio.front.campaign_tally import FAILED, REFUSED, CampaignShare
+from smsl_studio.front.fault_foresight import HELD, REACHED
 from smsl_studio.studio.base.icons import draw
 from smsl_studio.studio.base.theme import RADIUS_CHIP, Tokens, text_font
 

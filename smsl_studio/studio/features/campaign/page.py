@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import Qt, QTimer, Signal
+from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import (
     QProgressBar,
@@ -13,7 +13,6 @@ from PySide6.QtWidgets import (
 )
 
 from smsl_studio.blueprint.model import Blueprint
-from smsl_studio.front.campaign_foreseen import CampaignForesight
 from smsl_studio.studio.base.controls import Elided, label, row, rule
 from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.base.tips import tip_text
@@ -36,9 +35,9 @@ class CampaignPage(QWidget):
     """The page. It shows the work and does nothing by itself."""
 
     new_wanted, rates_wanted = Signal(), Signal()
-    finding_wanted = Signal(object, str)
-    """CampaignCell, str: a cell that ended otherwise than foreseen shall stand on the drawing as a
-    note, and how it was foreseen."""
+    finding_wanted = Signal(object)
+    """CampaignCell: a cell that ended otherwise than foreseen shall stand on the drawing as a
+    note."""
     replay_wanted = Signal(object, int)
     """CampaignCell, seed: the person wants to see this run again."""
     story_wanted = Signal(object, int)
@@ -60,10 +59,6 @@ class CampaignPage(QWidget):
         self.differ.setCheckable(True)
         self.differ.setProperty("role", "switch")
         self.differ.toggled.connect(lambda _: self._show_foresight())
-        self._foresight: CampaignForesight | None = None
-        self._foreseen_for: object = None
-        self._looking = QTimer(self, interval=0)
-        self._looking.timeout.connect(self._look)
         self.table, self.side = AtlasTable(tokens), CampaignSide(tokens)
         self.begin = QPushButton("New campaign…")
         self.begin.setProperty("role", "primary")
@@ -148,39 +143,11 @@ class CampaignPage(QWidget):
         self.rates.setEnabled(tally.done > 0 and tally.faults != ("",) and not self.is_another)
         self.table.show_tally(tally, request.blueprint)
         self.table.show_pale(self.is_another)
-        self._foresee()
-        self._show_cell()
-
-    def _foresee(self) -> None:
-        """Look at each operation of a new campaign, one at a time, so that the window answers."""
-        request, tally = self._work.request, self._work.tally
-        if request is not self._foreseen_for:
-            self._foreseen_for = request
-            self._foresight = None
-            if request is not None:
-                self._foresight = CampaignForesight(request.blueprint, request.goals)
-        waits = self._foresight is not None and any(
-            edge not in self._foresight.known for edge in tally.edges
-        )
-        if waits and not self._looking.isActive():
-            self._looking.start()
-        self._show_foresight()
-
-    def _look(self) -> None:
-        told = self._foresight
-        edges = self._work.tally.edges
-        rest = [edge for edge in edges if told is not None and edge not in told.known]
-        if told is None or not rest:
-            self._looking.stop()
-        else:
-            told.look(rest[0])
-            if len(rest) > 1:
-                return
         self._show_foresight()
         self._show_cell()
 
     def _show_foresight(self) -> None:
-        self.table.show_foresight(self._foresight, self.differ.isChecked())
+        self.table.show_only(self.differ.isChecked())
         count = len(self.table.atlas.differing)
         words = f"Prediction and outcome differ  {count}"
         if self.differ.text() != words:
@@ -191,7 +158,7 @@ class CampaignPage(QWidget):
     def _open_finding(self) -> None:
         cell = self.table.chosen
         if cell is not None:
-            self.finding_wanted.emit(cell, self.table.atlas.foreseen(cell))
+            self.finding_wanted.emit(cell)
 
     def _told(self) -> str:
         work, request = self._work, self._work.request
@@ -225,10 +192,9 @@ class CampaignPage(QWidget):
 
     def _show_cell(self) -> None:
         request = self._work.request
-        cell, atlas = self.table.chosen, self.table.atlas
+        cell = self.table.chosen
         self.side.show_cell(cell, request.blueprint if request is not None else None)
-        told = atlas.foreseen(cell) if cell is not None and cell.runs >= cell.seeds else ""
-        self.side.show_foreseen(told, cell is not None and atlas.differs(cell))
+        self.side.show_foreseen(cell)
 
     def _replay(self, seed: int) -> None:
         if self.table.chosen is not None:

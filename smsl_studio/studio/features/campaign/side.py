@@ -23,7 +23,6 @@ from PySide6.QtWidgets import (
 )
 
 from smsl_studio.blueprint.model import Blueprint
-from smsl_studio.front.campaign_foreseen import WHY
 from smsl_studio.front.campaign_runs import RunVerdict
 from smsl_studio.front.campaign_tally import (
     KINDS,
@@ -228,12 +227,15 @@ class CampaignSide(QWidget):
             verdict = self._cell.verdicts[seed]
             self.story.show_recording(recording, seed, WORDS[kind_of(verdict)])
 
-    def show_foreseen(self, told: str, differs: bool) -> None:
-        """Show how the runs were foreseen to end; empty for nothing. If they ended otherwise, a
-        button offers to open that as a finding."""
+    def show_foreseen(self, cell: CampaignCell | None) -> None:
+        """Show how the runs were foreseen to end. If they ended otherwise, a button offers to open
+        that as a finding."""
+        told = cell.foreseen if cell is not None and cell.runs >= cell.seeds else None
+        differs = cell is not None and cell.differs
         other = ". They ended otherwise" if differs else ""
-        self.foreseen.setText(f"Foreseen: {told}, because {WHY[told]}{other}." if told else "")
-        self.foreseen.setVisible(bool(told))
+        words = f"Foreseen: {told.end}, because {told.why}{other}." if told is not None else ""
+        self.foreseen.setText(words)
+        self.foreseen.setVisible(bool(words))
         self.finding.setVisible(differs)
 
     def say(self, words: str) -> None:

@@ -17,6 +17,7 @@ from smsl_studio.front.campaign_faults import CampaignRequest
 from smsl_studio.front.campaign_runs import CampaignRun, Injection, RunVerdict
 from smsl_studio.front.campaign_tally import CampaignTally
 from smsl_studio.front.campaigns import CampaignWatch
+from smsl_studio.front.fault_foresight import FaultEnd
 from smsl_studio.studio.base.beside import Beside
 
 NONE, RUNNING, PAUSING, PAUSED, DONE = "", "running", "pausing", "paused", "done"
@@ -31,11 +32,16 @@ class _Heard(CampaignWatch):
 
     def __init__(self) -> None:
         self.rows: tuple[Sequence[Injection | None], int] | None = None
+        self.ends: deque[tuple[int, FaultEnd]] = deque()
         self.runs: deque[tuple[int, int, RunVerdict]] = deque()
 
     def begin(self, rows: Sequence[Injection | None], seeds: int) -> None:
         """Keep the rows."""
         self.rows = rows, seeds
+
+    def foresee(self, row: int, end: FaultEnd) -> None:
+        """Keep how the runs of a row were foreseen to end."""
+        self.ends.append((row, end))
 
     def hear(self, row: int, seed: int, verdict: RunVerdict) -> None:
         """Keep how a run ended."""
@@ -156,6 +162,8 @@ class CampaignWork(QObject):
             self.tally.begin(*heard.rows)
             heard.rows = None
         if self.tally.cells:
+            while heard.ends:
+                self.tally.foresee(*heard.ends.popleft())
             while heard.runs:
                 self.tally.hear(*heard.runs.popleft())
         now = time.monotonic()
