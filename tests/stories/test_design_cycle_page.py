@@ -109,7 +109,7 @@ def test_from_a_text_to_a_checked_and_swept_blueprint(sit: Sit, lamp: Path) -> N
     text.close()
     at.act(stages.BRANCHES)
     at.person.until(lambda: at.cycle.stage(stages.BRANCHES).maker is not None)
-    assert at.cycle.stage(stages.BRANCHES).verdict.words == "0 sub-SBs, 2 cuts would help"
+    assert at.cycle.stage(stages.BRANCHES).verdict.words == "0 sub-SBs, 2 cuts possible"
     at.act(stages.CODE)
     at.person.until(lambda: (folder / "lamp-program" / "pyproject.toml").exists())
     at.choose(stages.TESTING)

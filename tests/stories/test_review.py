@@ -23,6 +23,7 @@ from smsl_studio.studio.features.review.comment_view import CommentView
 from smsl_studio.studio.features.review.feature import CHANGED, ReviewFeature
 from smsl_studio.studio.features.review.page import ReviewPage
 from smsl_studio.studio.running.persons import Person as Somebody
+from tests.approval import make_keys_cheap
 from tests.stories.conftest import Sit
 from tests.stories.person import SAMPLES, Person
 
@@ -300,6 +301,37 @@ def test_answers_of_another_computer_are_added(sit: Sit, tmp_path: Path) -> None
     other.feature.add_from(f"{theirs}.review.json")
     assert "1 answer added" in other.person.window.toast.words
     assert [one.kind for one in review_of(str(mine)).entries] == [COMMENT]
+
+
+def test_who_has_no_key_makes_one_in_the_dialog_and_signs_with_it(
+    sit: Sit, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    make_keys_cheap(monkeypatch)
+    reader = sit_as(sit, SURGEON, door_at(tmp_path))
+    reader.enter()
+    reader.feature.sign(rejects=True)
+    dialog, person = reader.feature.signing, reader.person
+    assert dialog is not None
+    assert not dialog.sign.isEnabled()
+    person.click(dialog.new_key)
+    making = dialog.making
+    assert making is not None
+    assert (making.person.text(), making.role.text()) == (SURGEON.name, SURGEON.role)
+    words = PASSPHRASE.decode()
+    QTest.keyClicks(making.passphrase, words)
+    QTest.keyClicks(making.again, f"{words}!")
+    person.click(making.make)
+    assert "differ" in making.refusal.text()
+    making.again.clear()
+    QTest.keyClicks(making.again, words)
+    person.click(making.make)
+    person.until(lambda: dialog.sign.isEnabled())
+    assert dialog.key.currentText() == "M. Reyes, surgeon (m-reyes-surgeon)"
+    QTest.keyClicks(dialog.passphrase, words)
+    QTest.keyClick(dialog.passphrase, Qt.Key.Key_Return)
+    person.qtbot.waitUntil(lambda: not dialog.isVisible(), timeout=120_000)
+    verdict = verify_approval(read(str(tmp_path / "door.json")))
+    assert verdict.signers[0].key.person == SURGEON.name
 
 
 def test_a_condition_is_set_with_the_signature_and_met_with_the_next_one(

@@ -90,10 +90,11 @@ def branches_stage(matter: DesignMatter) -> DesignStage:
             BRANCHES, designer(matter), digest, newest([matter.path]), StageVerdict(words),
             is_generated=matter.is_generated,
         )  # fmt: skip
+    maker = designer(matter) if subs else StageMaker(note.kind, note.who)
     return DesignStage(
-        BRANCHES, StageMaker(note.kind, note.who), digest, note.time,
+        BRANCHES, maker, digest, note.time,
         StageVerdict(f"{words}, {note.words}", GOOD if note.good else WARNING),
-        matter.changed(note.of),
+        matter.changed(note.of), is_generated=bool(subs) and matter.is_generated,
     )  # fmt: skip
 
 

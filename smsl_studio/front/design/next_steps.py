@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 
+from smsl_studio.front.design.found import unread_functions
 from smsl_studio.front.design.matter import DesignMatter
 from smsl_studio.front.design.stages import (
     APPROVAL,
@@ -42,7 +43,7 @@ def _text(stage: DesignStage, matter: DesignMatter) -> Iterator[NextStep]:
 def _states(stage: DesignStage, matter: DesignMatter) -> Iterator[NextStep]:
     bare = next(uncited(matter.blueprint), None)
     if stage.maker is None:
-        yield NextStep(FSM, "make it of a text, or draw it", A_PERSON)
+        yield NextStep(FSM, "generate it, or draw it", A_PERSON)
     elif stage.own:
         yield NextStep(FSM, "generate again, or say it still holds", A_PERSON)
     elif bare is not None and matter.origin.get("how") == "text":
@@ -71,6 +72,9 @@ def _code(stage: DesignStage, matter: DesignMatter) -> Iterator[NextStep]:
         yield NextStep(CODE, "write the program", BY_RULES)
     elif stage.own:
         yield NextStep(CODE, "write the program again", BY_RULES)
+    unread = unread_functions(matter.folder)
+    if unread:
+        yield NextStep(CODE, f"read {counted(unread, 'function')}", A_PERSON)
 
 
 def _hardware(stage: DesignStage, matter: DesignMatter) -> Iterator[NextStep]:
@@ -94,7 +98,7 @@ def _inspection(stage: DesignStage, matter: DesignMatter) -> Iterator[NextStep]:
 
 def _approval(stage: DesignStage, matter: DesignMatter) -> Iterator[NextStep]:
     if matter.blueprint.state_count and stage.maker is None:
-        yield NextStep(APPROVAL, "look at it in Review and sign", A_PERSON)
+        yield NextStep(APPROVAL, "review it and sign", A_PERSON)
     elif stage.own or stage.lacks:
         yield NextStep(APPROVAL, "sign again", A_PERSON)
 

@@ -35,7 +35,7 @@ def try_cuts(blueprint: Blueprint, cycle: DesignCycle) -> StageNote:
     """Return what rules say about states that could be a sub-SB. PlanningError or RunRefused as
     ``identify``. It heeds a stop."""
     cuts = identify(blueprint).cuts
-    words = f"{counted(len(cuts), 'cut')} would help" if cuts else "all cuts tried"
+    words = f"{counted(len(cuts), 'cut')} possible" if cuts else "no cut possible"
     return _note(BRANCHES, RULES, "Rules, all cuts tried", cycle, words, not cuts)
 
 

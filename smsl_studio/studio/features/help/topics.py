@@ -63,6 +63,7 @@ PARTS = {
     "Transport": HelpPlace("engineer.md", "4-run-it"),
     "StepIn": _window("supervise", "Deciding"),
     "SignDialog": _window("review", "Signing"),
+    "KeyDialog": _window("review", "Signing"),
     "CommentDialog": _window("review", "Comments"),
     "TaskCard": _window("people", "The card"),
     "Continuum": _window("people", "Human and automation"),

@@ -187,10 +187,12 @@ class ReviewFeature(Feature):
         if self._parts.files.unsaved:
             self._parts.toast.say("Save the procedure first. A signature is for what is saved")
             return
-        person = self.review.author.person
+        author = self.review.author
         blueprint = self._parts.session.blueprint
         conditions = [one.condition for one in self._approval.refusals if one.condition]
-        self.signing = SignDialog(blueprint, person, self._parts.window, rejects, conditions)
+        self.signing = SignDialog(
+            blueprint, author.person, self._parts.window, rejects, conditions, author.role
+        )
         self.signing.signed.connect(lambda _: self._signed())
         self.signing.open()
 

@@ -98,7 +98,8 @@ class SideColumn(QWidget):
     def show_signing(self, reasons: tuple[str, ...], approval: ApprovalWords, person: str) -> None:
         """Show who has signed, and whether this person can sign now."""
         _empty(self._signers)
-        told = ". ".join((approval.words, *approval.reasons[:3]))
+        reasons_ = (one.rstrip(".") for one in approval.reasons[:3])
+        told = ". ".join((approval.words, *reasons_))
         self._signers.addWidget(_signer(told, approval.is_good))
         if not any(words.startswith(f"{person} (") for words in approval.reasons):
             self._signers.addWidget(_signer(f"{person}, you: not yet signed", False))

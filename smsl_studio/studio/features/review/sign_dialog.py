@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from functools import partial
 
-from PySide6.QtCore import Signal
+from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import (
     QDialog,
     QDialogButtonBox,
@@ -26,15 +26,13 @@ from smsl_studio.inspection.review.review_file import LONGEST
 from smsl_studio.legible import plain_text, whole_text
 from smsl_studio.smsl.files import read_content
 from smsl_studio.studio.base.beside import Beside
-from smsl_studio.studio.base.controls import Combo, Switch, label, row
+from smsl_studio.studio.base.controls import Combo, Switch, label, row, row_button
 from smsl_studio.studio.base.room import Room
 from smsl_studio.studio.base.tips import tip_text
 from smsl_studio.studio.base.words import brief, capital
+from smsl_studio.studio.features.review.key_dialog import KeyDialog
 
-NO_KEY = (
-    "You have no key yet. Make one in a terminal: smsl-studio keys make --person NAME --role ROLE. "
-    "Then open this dialog again."
-)
+NO_KEY = "You have no key yet. New key… makes one."
 WARNS = "The check warns. Write why all this may stay, and type the passphrase again."
 CHANGED = "Close this dialog, and read what has changed before you sign."
 BUSY = "The whole check runs, and then it is signed."
@@ -59,17 +57,23 @@ class SignDialog(QDialog):
         parent: QWidget,
         rejects: bool = False,
         open_conditions: Sequence[str] = (),
+        role: str = "",
     ) -> None:
-        """``open_conditions`` are those of the last records that a person may sign as met."""
+        """``open_conditions`` are those of the last records that a person may sign as met. ``role``
+        is that of the person, for a new key."""
         super().__init__(parent)
         self._blueprint, self._rejects = blueprint, rejects
+        self._person, self._role = person, role
+        self.making: KeyDialog | None = None
+        self.new_key = row_button("New key…", "Make a key to sign with, for a name and a role")
+        self.new_key.setAutoDefault(False)
+        self.new_key.clicked.connect(self._ask_key)
         self._beside = Beside(self)
         self.setWindowTitle("Reject this procedure" if rejects else "Sign this procedure")
         self.setMinimumWidth(460)
         self.key = Combo()
         self.key.setAccessibleName("Key")
-        for key in _keys(person):
-            self.key.addItem(plain_text(f"{key.person}, {key.role} ({key.id})"), key.id)
+        self._fill_keys()
         self.passphrase = QLineEdit()
         self.passphrase.setEchoMode(QLineEdit.EchoMode.Password)
         self.passphrase.setAccessibleName("Passphrase")
@@ -96,24 +100,45 @@ class SignDialog(QDialog):
         column = QVBoxLayout(self)
         column.setContentsMargins(20, 16, 20, 16)
         column.setSpacing(10)
-        words = label("Key", "second"), label("Passphrase", "second")
-        parts: tuple[QWidget, ...] = (self.meaning, words[0], self.key, words[1], self.passphrase)
+        column.addWidget(self.meaning)
+        column.addLayout(row(label("Key", "second"), None, self.new_key))
+        parts: tuple[QWidget, ...] = (self.key, label("Passphrase", "second"), self.passphrase)
         met = (Room(_met_lines(self.met)),) if self.met else ()
         told = self.refusal, self.warnings, self.note
         for part in (*parts, *met, self.conditions, *told, self.buttons):
             column.addWidget(part)
-        if not self.key.count():
-            self.refusal.setText(NO_KEY)
-            for part in (self.key, self.passphrase, self.sign):
-                part.setEnabled(False)
-        else:
-            self.passphrase.setFocus()
+        self._show_keys()
 
     def done(self, result: int) -> None:
         """Close, and forget the passphrase."""
         self.passphrase.clear()
         self._beside.stop()
         super().done(result)
+
+    def _fill_keys(self) -> None:
+        self.key.clear()
+        for key in _keys(self._person):
+            self.key.addItem(plain_text(f"{key.person}, {key.role} ({key.id})"), key.id)
+
+    def _show_keys(self) -> None:
+        """Let a person sign who has a key, and say what to do without one."""
+        there = self.key.count() > 0
+        self.refusal.setText("" if there else NO_KEY)
+        for part in (self.key, self.passphrase, self.sign):
+            part.setEnabled(there)
+        (self.passphrase if there else self.new_key).setFocus()
+
+    def _ask_key(self) -> None:
+        """Ask for a new key, and choose it."""
+        self.making = KeyDialog(self._person, self._role, self)
+        self.making.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        self.making.made.connect(self._take_key)
+        self.making.open()
+
+    def _take_key(self, key: StoredKey) -> None:
+        self._fill_keys()
+        self.key.setCurrentIndex(max(0, self.key.findData(key.id)))
+        self._show_keys()
 
     @property
     def _written(self) -> tuple[str, ...]:
@@ -166,6 +191,8 @@ class SignDialog(QDialog):
         self.refusal.setText(BUSY if busy else "")
         for part in (self.key, self.passphrase, self.conditions, *self.met, self.sign):
             part.setEnabled(not busy)
+        # While the button was off, Qt gave its part as the default one to Cancel.
+        self.sign.setDefault(True)
 
 
 def _field(name: str, height: int) -> QPlainTextEdit:

@@ -16,7 +16,7 @@ from smsl_studio.blueprint.names import fresh_branch_name
 from smsl_studio.blueprint.plain_words import told_facts
 from smsl_studio.legible import plain_text
 from smsl_studio.smsl.document.stretches import Stretch, differing_stretch
-from smsl_studio.studio.base.controls import Combo, label, row
+from smsl_studio.studio.base.controls import Combo, Elided, label, row
 from smsl_studio.studio.base.lines.line import FormLine, Sentence, ShownValue
 from smsl_studio.studio.base.lines.text import NumberBounds, NumberLine
 from smsl_studio.studio.base.theme import Tokens
@@ -55,8 +55,9 @@ class HeaderForm(Panel):
         self._states: tuple[str, ...] = ()
         self.column.setContentsMargins(12, 8, 12, 12)
         self.column.setSpacing(6)
-        self._branch_name = label("", "second")
-        self.column.addLayout(row(label("Branch header", "heading"), self._branch_name, None))
+        self._branch_name = Elided()
+        self._branch_name.setProperty("role", "second")
+        self.column.addLayout(row(label("Branch header", "heading"), self._branch_name))
         self.home: QLabel = label("", "hint")
         self.column.addWidget(self.home)
         self.initial = self._choice("Initial", "INITIAL", "The state the SB starts in")
