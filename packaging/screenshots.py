@@ -1,17 +1,18 @@
 """Makes pictures of the window: Draw and Run modes, three samples, two themes, three sizes.
 
     ./dev pictures [--out FOLDER] [--sample NAME]
-        [--mode start|draw|run|supervise|safe|people|monitor|replay|panels|dense]
+        [--mode start|draw|run|supervise|safe|people|monitor|replay|panels|dense|cycle]
 
-They come into ``build/pictures``. The twelve that the documentation shows are kept in docs/images.
-A new one goes there by hand (``--out docs/images`` writes all of them).
+They come into ``build/pictures``. The fourteen that the documentation shows are kept in
+docs/images. A new one goes there by hand (``--out docs/images`` writes all of them).
 Without a display it draws on Qt's offscreen platform. The run pictures are taken in the middle of a
 real run: ``hanoi`` in its physical world, the others in ``table``. ``safe`` are the pictures of a
 file that does not read, of the offer to recover, and of a file that another program has changed.
 ``supervise`` are an operation under way, every way cut, and the full map.
 ``people`` are those of a task that two persons must answer, and of the table of levels.
-``panels`` are all panels beside the drawing, each brought to the front; ``--sample`` says of which
-sample.
+``cycle`` is the design cycle of a blueprint that was made of a text, and then of one whose text has
+changed. ``panels`` are all panels beside the drawing, each brought to the front; ``--sample`` says
+of which sample.
 ``replay`` is a recorded run at the moment in which an operation was shut out. ``dense`` is a
 procedure of 129 operations whose drawing is collapsed, with a state selected; and a smaller one
 with a group, a note, a bent line and a search.
@@ -48,6 +49,12 @@ from benches.layouts.procedures import rotms  # noqa: E402
 from smsl_studio.blueprint.address import Address  # noqa: E402
 from smsl_studio.blueprint.editing import rename  # noqa: E402
 from smsl_studio.dispatch.people.task import Task  # noqa: E402
+from smsl_studio.front.design.generation import (  # noqa: E402
+    GenerationRequest,
+    generate_anew,
+    keep_generation,
+)
+from smsl_studio.front.design.tries import keep_note, try_operations  # noqa: E402
 from smsl_studio.studio.base.settings import Settings  # noqa: E402
 from smsl_studio.studio.base.style import dress  # noqa: E402
 from smsl_studio.studio.base.theme import LIGHT  # noqa: E402
@@ -70,6 +77,7 @@ MODES = (
     "replay",
     "panels",
     "dense",
+    "cycle",
 )
 FRONT = (1440, 900)
 UNDER_WAY = 1.2
@@ -130,6 +138,8 @@ def main() -> int:
         if asked.mode in (None, "dense"):
             studio.take_dense(Path(folder))
             studio.take_bedside(Path(folder))
+        if asked.mode in (None, "cycle"):
+            studio.take_cycle(Path(folder))
         studio.finish()
     return 0
 
@@ -214,6 +224,35 @@ class Studio:
         window.session.select((Address("ROTMS", "State_11000"),))
         self._take_dressed(window, "dense")
         window.session.history.setClean()
+        window.close()
+
+    def take_cycle(self, folder: Path) -> None:
+        """A blueprint that was just made of a text; then its text has changed, and a new one
+        waits."""
+        texts = ROOT / "samples" / "texts"
+        text, listed = folder / "first-aid.md", folder / "first-aid-hardware.md"
+        for place in (text, listed):
+            shutil.copy(texts / place.name, place)
+        file = folder / "first-aid" / "first-aid.json"
+        request = GenerationRequest((text,), file, listed)
+        keep_generation(generate_anew(request, folder / "new"), own=True)
+        window = make_window(self._windows, str(file))
+        feature = window.features.design
+        feature.show()
+        self._until(lambda: feature.part().cycle is not None)
+        self._take_dressed(window, "cycle")
+
+        cycle, blueprint = feature.part().cycle, window.session.blueprint
+        assert cycle is not None
+        smsl.generate_code(blueprint, file.with_name("first-aid-program"))
+        keep_note(str(file), try_operations(blueprint, cycle, "table", ""))
+        said = "6. Send somebody for the defibrillator."
+        text.write_text(text.read_text("utf-8").replace(said, f"{said} Send another one home."))
+        text.write_text(text.read_text("utf-8").replace("9. Go on", "9. Change places. Go on"))
+        feature.texts.generate(request)
+        self._until(lambda: feature.part().new is not None)
+        self._until(lambda: (now := feature.part().cycle) is not None and now.stage(2).own == (1,))
+        self._take_dressed(window, "cycle-changed")
         window.close()
 
     def take_start(self) -> None:

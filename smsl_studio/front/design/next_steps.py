@@ -18,7 +18,6 @@ from smsl_studio.front.design.stages import (
     TEXT,
     DesignStage,
     NextStep,
-    stages_said,
 )
 from smsl_studio.inspection.rules.finding import Severity
 from smsl_studio.inspection.rules.sources import uncited
@@ -45,7 +44,7 @@ def _states(stage: DesignStage, matter: DesignMatter) -> Iterator[NextStep]:
     if stage.maker is None:
         yield NextStep(FSM, "generate it, or draw it", A_PERSON)
     elif stage.own:
-        yield NextStep(FSM, "generate again, or say it still holds", A_PERSON)
+        yield NextStep(FSM, "generate it again", A_PERSON)
     elif bare is not None and matter.origin.get("how") == "text":
         name = bare.operation or bare.state
         yield NextStep(FSM, f"cite {name} or drop it", A_PERSON, str(bare))
@@ -83,7 +82,7 @@ def _hardware(stage: DesignStage, matter: DesignMatter) -> Iterator[NextStep]:
     elif stage.lacks:
         yield NextStep(HARDWARE, stage.lacks[:1].lower() + stage.lacks[1:], A_PERSON)
     elif stage.own:
-        yield NextStep(HARDWARE, f"{stages_said(stage.own).lower()} changed", A_PERSON)
+        yield NextStep(HARDWARE, "look at it again", A_PERSON)
 
 
 def _testing(stage: DesignStage, matter: DesignMatter) -> Iterator[NextStep]:

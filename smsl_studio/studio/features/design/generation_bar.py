@@ -68,7 +68,7 @@ class GenerationBar(QFrame):
             self._offer(self.again, self.leave)
             self.words.setText(lacking or "Nothing came.")
             return
-        many = counted(len(new.changes), "difference")
+        many = counted(len(new.changes), "difference") if new.changes else "no difference"
         said = f"A new generation waits: {many}. The blueprint is as before until you take it."
         if not new.made.goal_reached:
             said += " Its goal is not reached."

@@ -140,7 +140,7 @@ class _StepRow(QAbstractButton):
         high, wide = float(ROW), self.width()
         right = QRectF(wide - 84, 0, 70, high)
         paint_text(painter, right, step.who, TextInk(tokens.tx2, 12), right=True)
-        named = min(150.0, wide * 0.36)
+        named = min(136.0, wide * 0.36)
         paint_text(painter, QRectF(42, 0, named - 8, high), step.name, TextInk(tokens.tx, 12))
         room = QRectF(42 + named, 0, wide - 84 - 42 - named, high)
         paint_text(painter, room, step.what, TextInk(tokens.tx2, 12))

@@ -20,7 +20,8 @@ MOST = 200
 """So many rows of a section are shown."""
 AS_WRITTEN = "Shown for this blueprint as written, if every operation does what its edge says"
 _MARKS = {HOLDS: stages.GOOD, FAILS: stages.BAD}
-_SIGNS = {ADDED: "plus", REMOVED: "minus"}
+_SIGNS = {ADDED: ("plus", stages.GOOD), REMOVED: ("minus", stages.BAD)}
+_CHANGED = ("wave", stages.PLAIN)
 
 
 @dataclass(frozen=True)
@@ -60,7 +61,10 @@ def sections_of(
     }[number]  # fmt: skip
     found = list(build(cycle, blueprint))
     if number in (stages.FSM, stages.HFSM):
-        found.append(_differences(cycle, blueprint, waiting))
+        # What waits for a decision stands first.
+        found.insert(
+            0 if waiting is not None else len(found), _differences(cycle, blueprint, waiting)
+        )
     return tuple(found)
 
 
@@ -101,7 +105,7 @@ def _differences(
     before = cycle.generation
     if waiting is not None:
         title, changes = "Differences of the new generation", tuple(waiting)
-        empty = "It is the same as the present one."
+        empty = "None. It is the same, made of the texts as they are now."
     elif before is not None:
         title, changes = (
             "Changed by hand since it was generated",
@@ -111,10 +115,9 @@ def _differences(
     else:
         return SideSection("Differences of the last generation", empty="It was not generated here.")
     rows = [
-        SideRow(
-            one.words, icon=_SIGNS.get(sign_of(one.kind), "dot"), address=str(one.address or "")
-        )
+        SideRow(one.words, "", mark, icon, str(one.address or ""))
         for one in changes
+        for icon, mark in (_SIGNS.get(sign_of(one.kind), _CHANGED),)
     ]
     signs = [sign_of(one.kind) for one in changes]
     added, removed = signs.count(ADDED), signs.count(REMOVED)

@@ -141,8 +141,8 @@ class TextVerbs(QObject):
             return
         self.leave()
         if here:
-            toast.offer("Took the new generation. Nobody has inspected it.", "Undo",
-                        session.history.undo)  # fmt: skip
+            more = " Nobody has inspected it." if new.changes else ""
+            toast.offer(f"Took the new generation.{more}", "Undo", session.history.undo)
         else:
             session.history.setClean()
             files.open(new.request.target)
