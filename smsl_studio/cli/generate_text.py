@@ -60,8 +60,12 @@ def generate_of_text(options: argparse.Namespace, out: Output) -> int:
             out.line(one_line(f"missing hardware: {name}"))
         for one in made.requirements:
             out.line(one_line(f"{one.verdict}: {one.kind} {one.name}: {one.reason}"))
+        for words in made.doubts:
+            out.line(one_line(f"look again: {words}"))
         for address in made.uncited[:_SHOWN]:
             out.line(one_line(f"no source: {address}"))
+    if made.blueprint is None and Path(options.output).is_file():
+        note(f"{options.output} is of an earlier call")
     if made.blueprint is not None and not made.goal_reached:
         note("the goal cannot be reached")
     if made.functions:
@@ -90,6 +94,7 @@ def _as_json(made: GeneratedText) -> dict[str, object]:
         "functions": list(made.functions),
         "missing": list(made.missing),
         "uncited": list(made.uncited),
+        "doubts": list(made.doubts),
         "requirements": [one.as_json() for one in made.requirements],
         "lacking": [sentence for sentence, _ in made.lacking],
     }

@@ -55,6 +55,8 @@ class GeneratedText:
     uncited: tuple[str, ...] = ()
     people: int = 0
     files: tuple[str, ...] = ()
+    doubts: tuple[str, ...] = ()
+    """What the blueprint says otherwise than the stages before it."""
     functions: tuple[str, ...] = ()
     """The operations that no library offers; their functions wait in ``rmm``."""
     requirements: tuple[RequirementVerdict, ...] = ()
@@ -210,7 +212,8 @@ def _told(reached: TextChain, written: tuple[str, ...]) -> GeneratedText:
         tuple(str(address) for address in uncited(blueprint)),
         script.count("\n"),
         written,
-        tuple(reached.functions),
+        functions=tuple(reached.functions),
+        doubts=reached.doubts,
     )
 
 

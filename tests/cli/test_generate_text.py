@@ -12,7 +12,7 @@ import pytest
 import smsl_studio as smsl
 from smsl_studio.blueprint import editing
 from smsl_studio.shipped import samples_dir
-from tests.cli.shell import Shell
+from tests.cli.shell import Answer, Shell
 
 TEXTS = samples_dir() / "texts"
 LAMP = """# Lamp
@@ -124,10 +124,84 @@ def test_an_answer_that_does_not_fit_is_told_and_nothing_is_made(
     out = tmp_path / "made" / "lamp.json"
     answer = shell("generate", "text", str(lamp), "-o", str(out), "--by-hand", str(hand))
     assert answer.status == 1
-    assert "stage psm was given up" in answer.err
+    assert "stage psm does not fit yet" in answer.err
     assert words in answer.err
     assert not out.exists()
     assert (out.parent / "pm.md").exists()
+
+
+@pytest.mark.parametrize(
+    ("page", "line", "words"),
+    [
+        ("1. Plug it in\n   - whom: nurse\n", 2, "Did you mean who?"),
+        ("1. Plug it in\n   - if: It smokes -> Pull [stop]\n", 2, "or the number of a step"),
+        ("1. Plug it in\n   - if: It smokes -> Pull [9]\n", 1, "leads back to step 9, and there"),
+        ("1. Plug it in\n   - takes: soon\n", 2, "write a time"),
+    ],
+)
+def test_a_line_of_the_page_of_steps_that_says_nothing_is_told(
+    shell: Shell, lamp: Path, tmp_path: Path, page: str, line: int, words: str
+) -> None:
+    hand = tmp_path / "hand"
+    hand.mkdir()
+    (hand / "pm.md").write_text(page)
+    out = str(tmp_path / "made" / "lamp.json")
+    answer = shell("generate", "text", str(lamp), "-o", out, "--by-hand", str(hand))
+    assert answer.status == 2
+    assert answer.err.startswith(f"{hand / 'pm.md'}:{line}:1: ")
+    assert words in answer.err
+
+
+def by_hand(shell: Shell, lamp: Path, out: Path, blueprint: dict[str, object]) -> Answer:
+    """Answer all stages by hand, with this blueprint, and call the command."""
+    hand = out.parent.parent / "hand"
+    hand.mkdir(exist_ok=True)
+    cite = '   - source: lamp.md, line 3: "Plug it in"\n'
+    caution = "\n## Cautions\n\n- Never lick it\n"
+    (hand / "pm.md").write_text(f"1. Plug it in\n   - who: nurse\n{cite}{caution}")
+    (hand / "him.toml").write_text("")
+    (hand / "psm.json").write_text(json.dumps({"LAMP": blueprint}))
+    (hand / "rmm").mkdir(exist_ok=True)
+    return shell("generate", "text", str(lamp), "-o", str(out), "--by-hand", str(hand))
+
+
+PLUGGED = {"State_0": {"Op_Plug": "State_1"}, "State_1": {}}
+
+
+def test_what_a_blueprint_says_otherwise_than_its_steps_is_told(
+    shell: Shell, lamp: Path, tmp_path: Path
+) -> None:
+    out = tmp_path / "made" / "lamp.json"
+    notes = {"Op_Plug": {"actor": "human", "roles": ["porter"]}}
+    facts = {"0": {"name": "Plugged", "sensors": ["Camera C7"]}}
+    answer = by_hand(shell, lamp, out, {**PLUGGED, "_operations": notes, "_facts": facts})
+    assert answer.status == 0
+    told = [line for line in answer.out.splitlines() if line.startswith("look again: ")]
+    assert told == [
+        "look again: pm.md names nurse in step 1, and no operation of the blueprint is theirs",
+        "look again: LAMP/Op_Plug is for porter, whom pm.md does not name",
+        "look again: LAMP/0 is seen by Camera C7, which him.toml does not list",
+        "look again: 1 caution stands in pm.md, and no hazard in the blueprint: make one by hand",
+    ]
+
+
+def test_a_wrong_answer_by_hand_is_told_so_that_it_can_be_mended(
+    shell: Shell, lamp: Path, tmp_path: Path
+) -> None:
+    out = tmp_path / "made" / "lamp.json"
+    assert by_hand(shell, lamp, out, PLUGGED).status == 0
+    misspelt = {**PLUGGED, "_operations": {"Op_Plug": {"requires": {"LAMB/0": "1"}}}}
+    answer = by_hand(shell, lamp, out, misspelt)
+    assert answer.status == 1
+    assert "LAMB/0, which is no fact" in answer.err
+    assert "is of an earlier call" in answer.err
+    cited = [{"file": "lamp.md", "line": 4, "words": "Plug it in"}]
+    answer = by_hand(shell, lamp, out, {**PLUGGED, "_sources": {"Op_Plug": cited}})
+    assert "line 4: “Plug it in” (they stand in line 3)" in answer.err
+    (tmp_path / "hand" / "psm.json").write_text('{"LAMP": {"State_0": {}')
+    folder = str(tmp_path / "hand")
+    answer = shell("generate", "text", str(lamp), "-o", str(out), "--by-hand", folder)
+    assert "its end seems to be missing" in answer.err
 
 
 def test_kept_answers_give_the_same_bytes(shell: Shell, lamp: Path, tmp_path: Path) -> None:

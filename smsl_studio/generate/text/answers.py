@@ -40,7 +40,9 @@ def json_of(text: str, longest: int = LONGEST_ANSWER) -> dict[str, Json]:
     try:
         found = json.loads(body, object_pairs_hook=_once, parse_constant=_refused)
     except (ValueError, RecursionError) as error:
-        raise AnswerFault([f"the answer is no JSON: {error}"]) from None
+        at = getattr(error, "pos", 0)
+        more = "; its end seems to be missing" if at >= len(body) - 1 else ""
+        raise AnswerFault([f"the answer is no JSON: {error}{more}"]) from None
     if not isinstance(found, dict):
         raise AnswerFault(["the answer is no JSON object"])
     return found
@@ -53,8 +55,19 @@ def fitted(kind: type[Model], values: Json) -> Model:
     except ValidationError as error:
         told = error.errors(include_url=False, include_input=False)
         raise AnswerFault(
-            [f"{'/'.join(map(str, one['loc'])) or 'answer'}: {one['msg']}" for one in told]
+            [f"{_place(one['loc']) or 'answer'}: {one['msg']}" for one in told]
         ) from None
+
+
+def _place(parts: Sequence[int | str]) -> str:
+    """Return where a value stands, with numbers from 1: ``device 2, kind``."""
+    words: list[str] = []
+    for part in parts:
+        if isinstance(part, int) and words:
+            words[-1] = f"{words[-1].removesuffix('s')} {part + 1}"
+        else:
+            words.append(str(part))
+    return ", ".join(words)
 
 
 def _once(pairs: list[tuple[str, Json]]) -> dict[str, Json]:

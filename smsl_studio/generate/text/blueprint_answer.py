@@ -24,6 +24,8 @@ MOST_BRANCHES = 200
 MOST_STATES = 4_000
 MOST_OPERATIONS = 20_000
 LONGEST_NAME = 400
+_UNREAD = "R29"
+"""The rule about annotations that are left out of the meaning, such as a misspelt ``requires``."""
 LONGEST_TEXT = 2_000
 _OF_FILE = ("_hazards", "_properties", "_levels")
 _OF_BRANCH = ("_facts", "_states", "_operations", "_sources", "_comment")
@@ -51,7 +53,7 @@ def blueprint_of_answer(
     faults = [
         f"{finding.rule} {finding.address}: {finding.message}; {finding.advice}"
         for finding in inspect(blueprint)
-        if finding.severity is Severity.ERROR
+        if finding.severity is Severity.ERROR or finding.rule == _UNREAD
     ]
     faults += _uncited(cleaned, texts)
     if faults:
@@ -143,4 +145,17 @@ def uncited_faults(sources: Iterable[Source], texts: Sequence[ExpertText]) -> It
     """Yield a sentence for each citation of words that do not stand where it says."""
     for source in sources:
         if not cited(texts, source.citation):
-            yield f"the words do not stand there: {source.citation}"
+            yield f"the words do not stand there: {source.citation}{_where(source, texts)}"
+
+
+def _where(source: Source, texts: Sequence[ExpertText]) -> str:
+    """Return where the words of a citation stand in its file, in words."""
+    lines = [line for text in texts for line in text.lines if line.file == source.file]
+    if not lines:
+        return f" (no text is called {source.file})"
+    found = next((line for line in lines if source.words in line.text), None)
+    if found is not None:
+        page = f"page {found.page}, " if found.page else ""
+        return f" (they stand in {page}line {found.number})"
+    last = max(line.number for line in lines)
+    return f" (the last line is {last})" if source.line > last else ""

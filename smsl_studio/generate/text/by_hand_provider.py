@@ -13,7 +13,7 @@ from smsl_studio.generate.text.functions import codes_of
 from smsl_studio.generate.text.prompts import FILES, HIM, PM, RMM
 from smsl_studio.generate.text.provider import StageAnswer, StageQuestion, Unanswered
 from smsl_studio.generate.text.step_keys import unread
-from smsl_studio.generate.text.step_numbers import numbered, without_sources
+from smsl_studio.generate.text.step_numbers import numbered, unknown_numbers, without_sources
 from smsl_studio.generate.text.step_reader import read_steps
 from smsl_studio.smsl.files import save_document
 from smsl_studio.smsl.inputs import read_ordinary
@@ -49,8 +49,11 @@ class AnswerFolder:
                 if why := unread(line.text):
                     words = f"this line says nothing: {line.text.strip()[:100]}"
                     raise ReadError(words, Place(str(path), line.number, 1), why)
-            steps = numbered(without_sources(read_steps([page]), page.file))
-            text = steps.model_dump_json(exclude_defaults=True)
+            steps = without_sources(read_steps([page]), page.file)
+            for words in unknown_numbers(steps):
+                advice = "Write on, again, start, or the number of a step of this page."
+                raise ReadError(words, Place(str(path), 1, 1), advice)
+            text = numbered(steps).model_dump_json(exclude_defaults=True)
         elif stage == HIM:
             try:
                 text = json.dumps(read_equipment_page(text), ensure_ascii=False, default=str)

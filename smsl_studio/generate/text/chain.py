@@ -12,6 +12,7 @@ from smsl_studio.generate.text import equipment as equipments
 from smsl_studio.generate.text import functions as codes
 from smsl_studio.generate.text import prompts
 from smsl_studio.generate.text import steps as procedures
+from smsl_studio.generate.text.agreement import disagreements
 from smsl_studio.generate.text.answers import AnswerFault, fitted, json_of
 from smsl_studio.generate.text.blueprint_answer import (
     blueprint_of_answer,
@@ -29,7 +30,7 @@ from smsl_studio.generate.text.provider import (
     StageQuestion,
     Unanswered,
 )
-from smsl_studio.generate.text.step_numbers import numbered
+from smsl_studio.generate.text.step_numbers import numbered, unknown_numbers
 from smsl_studio.generate.text.step_page import step_page
 from smsl_studio.library.loaded import Loaded, Plugin
 from smsl_studio.smsl.json_form import write_json
@@ -54,6 +55,8 @@ class TextChain:
     procedure: procedures.TextProcedure | None = None
     functions: Mapping[str, str] = field(default_factory=dict)
     """The files of the operations without a function, by operation."""
+    doubts: tuple[str, ...] = ()
+    """Sentences about what the blueprint says otherwise than the stages before."""
     lacking: list[tuple[str, str]] = field(default_factory=list)
     """Sentences, each with its advice."""
 
@@ -156,8 +159,9 @@ class _Chain:
             self._reached.lacking.append((error.sentence, error.advice))
         elif self._provider.by_file:
             advice = f"Mend {FILES[error.stage]} in your folder, and call this again."
-            self._reached.lacking += [(str(error), ""), *((one, "") for one in error.faults[3:])]
-            self._reached.lacking.append(("that is all that was found", advice))
+            words = f"stage {error.stage} does not fit yet: {'; '.join(error.faults[:3])}"
+            *others, last = words, *error.faults[3:]
+            self._reached.lacking += [*((one, "") for one in others), (last, advice)]
         else:
             advice = "The prompts and the answers lie in answers.json. Write this stage by hand."
             self._reached.lacking.append((str(error), advice))
@@ -171,11 +175,13 @@ class _Chain:
         matter = self._matter
 
         def check(text: str) -> procedures.TextProcedure:
-            found = numbered(fitted(procedures.TextProcedure, json_of(text)))
-            faults = procedures.faults_of(found)
+            told = fitted(procedures.TextProcedure, json_of(text))
+            found = numbered(told)
+            faults = [*procedures.faults_of(found), *unknown_numbers(told)]
             for step in procedures.every_step(found.steps):
                 cited = [*step.sources, *(one for r in step.remedies for one in r.sources)]
-                faults += uncited_faults(cited, matter.texts)
+                wrong = uncited_faults(cited, matter.texts)
+                faults += [f"step {step.mark}: {words}" for words in wrong]
             return _sound(found, faults)
 
         found = self._asked(PM, prompts.pm_prompt(matter.texts, by_file), check)
@@ -209,7 +215,9 @@ class _Chain:
             "digest": digest_of_texts(matter.texts),
         }  # fmt: skip
         written = {**values, "_origin": origin}
-        self._reached.blueprint = read_values(written)
+        self._reached.blueprint = made = read_values(written)
+        if matter.procedure is not None and matter.equipment is not None:
+            self._reached.doubts = disagreements(matter.procedure, matter.equipment, made)
         files[FILES[PSM]] = write_json(written)
 
     def _functions(self, by_file: bool) -> None:

@@ -90,12 +90,17 @@ PSM_RULES = """
   is 1 exactly while OTHER is in its ACTIVATING. Such a digit has the values 0 and 1 only, and no
   failure. The operation that moves it has a title and nothing else: its sub-SB does the work.
 - A step with steps is such a digit; its steps are the sub-SB.
-- _facts: a failure is a value that is entered from outside, so no operation leads there; there is a
-  state with it, and an operation leads out of it. "sensors": ["name"] may name sensors of him.toml
-  that see the fact.
+- _facts: a fact may have more values than 0 and 1, and serve several steps. A failure is a value
+  that is entered from outside, so no operation leads there; there is a state with it, and an
+  operation leads out of it. The warning R10, which check gives then, is meant. "sensors":
+  ["name"] may name sensors of him.toml that see the fact.
 - _operations: all but the title may be left out. actor is human, shared or robot; roles are the
   people who do it, confirm those who must agree; timeout, duration and answer_within are seconds;
   risk is low, medium or high.
+- From pm.md: who is the actor and the roles; a step that names nobody has no actor, and is the
+  system's. wait is an operation like any other, without an actor. takes is its duration, within
+  its timeout. until is the name of its fact. A caution is no operation: _hazards of the file may
+  keep it ({"Name": {"SB/digit": "value"}}: facts that must never hold together).
 - requires: what must hold before the operation, "SB/digit": "value". The first operation of a
   sub-SB requires the fact before it of its base SB, so that parts do not overtake each other.
 - _sources: for every state and every operation of each SB its citations.

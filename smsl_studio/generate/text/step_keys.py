@@ -6,6 +6,7 @@ import re
 from collections.abc import Sequence
 from typing import Any
 
+from smsl_studio.errors import did_you_mean
 from smsl_studio.generate.text import sentences
 from smsl_studio.generate.text.steps import Remedy, Source, TextStep, mark_of, risk_of
 
@@ -13,6 +14,9 @@ KEYED = re.compile(
     r"^(?P<key>who|until|confirm|takes|within|risk|wait|if|source|wer|bis|wenn|quelle)\s*:\s*(?P<said>.+)$",
     re.IGNORECASE,
 )
+_KEYS = ("who", "until", "confirm", "takes", "within", "risk", "wait", "if", "source")
+_LIKE_KEY = re.compile(r"^(?P<key>[a-z]{2,12})\s*:\s*\S")
+_BACK = re.compile(r"->.*\[(?P<back>[^\]]*)\]\s*$")
 _GERMAN = {"wer": "who", "bis": "until", "wenn": "if", "quelle": "source"}
 _IF = re.compile(
     r"^(?P<when>.+?)\s*->\s*(?P<do>.+?)"
@@ -60,16 +64,21 @@ def source_of(text: str) -> Source | None:
 
 
 def unread(line: str) -> str:
-    """Return why a line that begins with a key says nothing. Empty for any other line."""
-    found = KEYED.match(re.sub(r"^\s*[-*+]\s+", "", line).strip())
+    """Return why a line that begins with a key, or with nearly one, says nothing. Empty for any
+    other line."""
+    text = re.sub(r"^\s*[-*+]\s+", "", line).strip()
+    found = KEYED.match(text)
     if found is None:
-        return ""
+        like = _LIKE_KEY.match(text) if line[:1].isspace() and text != line.strip() else None
+        return did_you_mean(like["key"], _KEYS) if like else ""
     key, text = found["key"].lower(), found["said"].strip()
     key = _GERMAN.get(key, key)
     if key == "source" and source_of(text) is None:
         return 'write it as: source: protocol.md, line 12: "the quoted words"'
     if key == "if" and not _remedies(text):
         return "write it as: if: what is wrong -> what is done then [again]"
+    if key == "if" and (back := _BACK.search(text)) and _IF.match(text)["back"] is None:  # type: ignore[index]
+        return f"write [on], [again], [start] or the number of a step, not [{back['back']}]"
     if key in ("takes", "within") and sentences.seconds(text) is None:
         return "write a time, such as 20 s"
     if key == "risk" and not risk_of(text):

@@ -6,7 +6,7 @@ has, and what a remedy names follows.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from typing import TypeVar
 
 from smsl_studio.generate.text.steps import Caution, Remedy, TextProcedure, TextStep
@@ -18,6 +18,11 @@ WORDS = frozenset(("on", "again", "start"))
 def numbered(procedure: TextProcedure) -> TextProcedure:
     """Return the procedure with new numbers. A remedy that names no step does its own anew."""
     return procedure.model_copy(update={"steps": _numbered(procedure.steps, "", {})})
+
+
+def unknown_numbers(procedure: TextProcedure) -> list[str]:
+    """Return a sentence for each remedy that leads to a step that is not there."""
+    return list(_unknown(procedure.steps, "", {}))
 
 
 def without_sources(procedure: TextProcedure, file: str) -> TextProcedure:
@@ -44,6 +49,19 @@ def lowered(step: TextStep) -> TextStep:
     *others, last = step.steps
     last = lowered(last.model_copy(update={"remedies": (*last.remedies, *step.remedies)[:12]}))
     return step.model_copy(update={"remedies": (), "steps": (*others, last)})
+
+
+def _unknown(steps: tuple[TextStep, ...], head: str, above: Mapping[str, str]) -> Iterator[str]:
+    steps = tuple(map(lowered, steps))
+    known = {**above, **{step.mark: step.mark for step in steps if step.mark}}
+    for number, step in enumerate(steps, 1):
+        for one in step.remedies:
+            if one.back not in WORDS and one.back not in known:
+                yield (
+                    f"step {head}{number} ({step.do}): “{one.when}” leads back to step {one.back}, "
+                    "and there is none"
+                )
+        yield from _unknown(step.steps, f"{head}{number}.", known)
 
 
 def _numbered(
