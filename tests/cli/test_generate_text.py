@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import shutil
 import tomllib
+from collections.abc import Mapping
 from pathlib import Path
 
 import pytest
@@ -152,7 +153,7 @@ def test_a_line_of_the_page_of_steps_that_says_nothing_is_told(
     assert words in answer.err
 
 
-def by_hand(shell: Shell, lamp: Path, out: Path, blueprint: dict[str, object]) -> Answer:
+def by_hand(shell: Shell, lamp: Path, out: Path, blueprint: Mapping[str, object]) -> Answer:
     """Answer all stages by hand, with this blueprint, and call the command."""
     hand = out.parent.parent / "hand"
     hand.mkdir(exist_ok=True)
