@@ -199,6 +199,12 @@ class Dispatcher(Commands):
         """Who proposes edges where no way leads to the goals, None for nobody."""
         return self._driver.generation.proposer if self._driver else self._terms.proposer
 
+    def propose_with(self, proposer: EdgeProposer | None) -> None:
+        """Let this provider propose edges from now on, where no way leads to the goals. A run that
+        holds asks it when it is resumed."""
+        if self._driver is not None:
+            self._driver.generation.ask_from_now_on(proposer)
+
     @property
     def opened(self) -> OpenedWorld | None:
         """The description of the opened world, None before it is open."""

@@ -57,7 +57,7 @@ def look(driver: Driver, phase: str, ended: RunFinished | None) -> DispatchStatu
     detour = None
     if driver.attended and not ended:
         detour = sought(lambda: _detour(driver), None)
-    held = state.held
+    held, shown = state.held, driver.generation.shown
     begun = carrier.uncommitted if carrier else ()
     candidates = driver.trouble.candidates if held is not None else ()
     if state.offered is not None:
@@ -92,6 +92,8 @@ def look(driver: Driver, phase: str, ended: RunFinished | None) -> DispatchStatu
         notes=() if ended else driver.follower.bypasses.sentences((*begun, *route)),
         planning=not sought.all,
         pausing=phase == "running" and (state.once or state.pausing),
+        generated={edge: one.target for edge, one in driver.generation.made.items()},
+        proposed=(shown.edge, shown.target) if shown is not None else None,
     )
 
 

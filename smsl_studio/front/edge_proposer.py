@@ -193,7 +193,7 @@ class RunProposer:
         forecast = self._foresee(question, edge, one.target)
         if forecast.verdict == DIFFERS:
             return f"its forecast differs: {forecast.reason}"
-        told = tuple(dict.fromkeys(f"{found.rule} ({found.severity})" for found in new))
+        told = tuple(dict.fromkeys(f"{found.rule} ({found.severity.value})" for found in new))
         return EdgeProposal(edge, one.target, made, *given, forecast, told)
 
     def _misfit(

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 from datetime import datetime
 from pathlib import Path
 from typing import Any
 
+from smsl_studio.blueprint.address import Address
+from smsl_studio.blueprint.editing.generated_edges import with_edges
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.dispatch.status_then import status_at
 from smsl_studio.dispatch.supervision.table import COMMANDS
@@ -17,7 +19,7 @@ from smsl_studio.front.inputs import read
 from smsl_studio.front.views.event_marks import marks_of
 from smsl_studio.front.views.timeline_lanes import Lane, lanes
 from smsl_studio.runlog.causes import Causes
-from smsl_studio.runlog.events import RunStarted
+from smsl_studio.runlog.events import EdgeGenerated, Event, RunStarted
 from smsl_studio.runlog.grammar.log_reader import Going, LoggedRun, read_log
 from smsl_studio.runlog.history import RECORDED, RunHistory, Story
 from smsl_studio.runlog.playback import Playback
@@ -79,6 +81,7 @@ def open_recording(path: Path, drawn: Blueprint, going: Going = _nobody) -> Reco
     if blueprint is None:
         name = Path(str(run.header.get("file", ""))).name or "its blueprint"
         raise ReadError(f"{name}, of which this is a run, is not found", advice=NO_BLUEPRINT)
+    blueprint = with_edges(blueprint, _generated(run.events))
     events, by_hand = run.events, run.header.get("by_hand") is True
     count, share = max(len(events), 1), FOLDED - READ
     history = RunHistory(RECORDED)
@@ -107,6 +110,13 @@ def recording_words(path: Path) -> str:
     """Return the text of a recording in a menu: its name and its date."""
     made = datetime.fromtimestamp(path.stat().st_mtime)
     return f"{path.stem}  ({made:%d %b %H:%M})"
+
+
+def _generated(events: Sequence[Event]) -> dict[Address, str]:
+    """Return the edges that people have let count in this run, with their targets."""
+    made = (one for one in events if isinstance(one, EdgeGenerated))
+    found = ((Address.read(one.address), one.target) for one in made)
+    return {edge: target for edge, target in found if edge is not None and edge.operation}
 
 
 def _behaviour(run: LoggedRun, started: RunStarted | None) -> str:

@@ -19,12 +19,12 @@ class Marks:
     compare: ``agrees``, ``differs``, ``unknown`` or ``transit``. The names of ``goals`` stand below
     their nodes. If ``dimmed``, everything without a mark is pale, as in a run. ``changes`` has the
     sign of a comparison for each address: ``+`` added, ``-`` removed, ``~`` changed. In a merge
-    the sides stand before it: ``M~``, ``T+``, ``MT~``. ``conflicts`` has the number of each
-    conflict of a merge, a tick if it is chosen, or of a difference to rules, behind ``+`` (missing)
-    or ``-`` (odd). ``guards`` says
-    whether the required facts of an operation are ``true``, ``false`` or ``unknown``, and why in
-    words. ``found`` are the hits of a search, and ``hit`` is the one that is shown. ``ways`` are
-    the operations on the ways between two selected states. If ``walked``, the marks of a run show
+    the sides stand before it: ``M~``, ``T+``, ``MT~``. In a run ``?+`` is proposed. ``conflicts``
+    has the number of each conflict of a merge, a tick if it is chosen, or of a difference to rules,
+    behind ``+`` (missing) or ``-`` (odd). ``guards`` says whether the required facts of an
+    operation are ``true``, ``false`` or ``unknown``, and why in words. ``found`` are the hits of a
+    search, and ``hit`` is the one that is shown. ``ways`` are the operations on the ways between
+    two selected states. If ``walked``, the marks of a run show
     steps that somebody looks at, and nothing runs.
     """
 

@@ -30,6 +30,7 @@ from smsl_studio.host.protocol import Extending
 from smsl_studio.library.prediction import Prediction
 from smsl_studio.runlog.events import EdgeGenerated, ForecastTold
 from smsl_studio.runlog.phase import NO_ROUTE
+from smsl_studio.stop import restartable
 
 MOST_QUESTIONS = 20
 """So often a provider is asked in one run."""
@@ -136,6 +137,11 @@ class Generation:
         asked = any(task.kind == "generate" for task in self._desk.tasks)
         return self._shown if asked else None
 
+    def ask_from_now_on(self, proposer: EdgeProposer | None) -> None:
+        """Ask this provider from now on. What was refused is not shown again."""
+        self.close()
+        self.proposer, self._asked = proposer, None
+
     def close(self) -> None:
         """Free the provider."""
         if self.proposer is not None:
@@ -203,7 +209,8 @@ class Generation:
             shut,
             self._cost_from,
         )
-        answer = proposer.propose(question)
+        with restartable():
+            answer = proposer.propose(question)
         self._asked, self._count = (key, answer), self._count + 1
         return answer
 

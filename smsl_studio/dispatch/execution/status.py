@@ -72,7 +72,8 @@ class DispatchStatus:
 
     ``pausing`` says that the run will pause when its step or operation has ended. ``planning`` says
     that routes are still being searched, so ``route``, ``detour`` and ``possible`` are not
-    complete.
+    complete. ``generated`` are the edges, with their targets, that people have let count in this
+    run, and ``proposed`` is the one that they are asked about now.
     """
 
     phase: str
@@ -104,3 +105,5 @@ class DispatchStatus:
     notes: tuple[str, ...] = ()
     planning: bool = False
     pausing: bool = False
+    generated: Mapping[Address, str] = field(default_factory=dict)
+    proposed: tuple[Address, str] | None = None

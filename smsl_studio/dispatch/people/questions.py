@@ -106,8 +106,8 @@ def generate_task(edge: Address, target: str, provider: str, detail: str) -> Que
     return Question(
         "generate",
         str(edge),
-        f"{provider} proposes {edge.operation} from {edge.state} to {target}, which the blueprint "
-        "does not have: may it count in this run?",
+        f"{edge.operation} from {edge.state} to {target}, which the blueprint does not have, is "
+        f"proposed by {provider}: may it count in this run?",
         (ALLOW, REFUSE_EDGE),
         detail=detail,
     )

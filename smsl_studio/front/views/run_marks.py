@@ -37,8 +37,17 @@ def run_marks(blueprint: Blueprint, branch: str, status: DispatchStatus, story: 
         possible=frozenset(p.address for p in status.possible if p.address.branch == branch),
         goals=frozenset(goal.state for goal in status.goals if goal.branch == branch),
         facts=_sensed(blueprint[branch], active, status),
+        changes=_generated(branch, status),
         dimmed=True,
     )
+
+
+def _generated(branch: str, status: DispatchStatus) -> Mapping[Address, str]:
+    """Return the signs of edges that the blueprint does not have: added, or only proposed."""
+    found = {edge: "+" for edge in status.generated if edge.branch == branch}
+    if status.proposed is not None and status.proposed[0].branch == branch:
+        found[status.proposed[0]] = "?+"
+    return found
 
 
 def expected_duration(blueprint: Blueprint, status: DispatchStatus, story: Story) -> float | None:

@@ -18,6 +18,7 @@ from smsl_studio.studio.base.tips import tip_text
 from smsl_studio.studio.base.words import as_it_is, capital
 from smsl_studio.studio.running.decisions import Decision, offered, offers
 
+WAY = "Let somebody propose operations of the library. You allow each, for this run only"
 BUTTON = 132
 WIDEST, AROUND = 280, 30
 """Largest width of a button with a long name, and what a button needs beside its words (pixels)."""
@@ -32,6 +33,8 @@ class HoldCard(QFrame):
 
     wanted = Signal(object)
     """Decision: the person pressed the button of an offer."""
+    way_wanted = Signal()
+    """The person wants a provider to propose operations that lead on."""
 
     def __init__(self, brief: bool = False) -> None:
         """``brief`` leaves out the reasons, if another widget shows them."""
@@ -63,6 +66,16 @@ class HoldCard(QFrame):
         for part in (self._heading, self._sentence, self._room, self._advice):
             column.addWidget(part)
         column.addLayout(self._buttons)
+        self.way = QPushButton("Ask for a way…")
+        self.way.setToolTip(tip_text(WAY))
+        self.way.clicked.connect(self.way_wanted)
+        self._way = QWidget()
+        self.way.setFixedWidth(BUTTON)
+        line = row(self.way, spacing=8)
+        line.setContentsMargins(0, 0, 0, 0)
+        line.addWidget(label("Operations of the library are proposed; you allow each.", "hint"), 1)
+        self._way.setLayout(line)
+        column.addWidget(self._way)
         self.hide()
 
     @property
@@ -77,7 +90,8 @@ class HoldCard(QFrame):
 
     def buttons(self) -> list[QPushButton]:
         """The buttons of the offers, in their order."""
-        return [] if self.isHidden() else self.findChildren(QPushButton)
+        found = [] if self.isHidden() else self.findChildren(QPushButton)
+        return [one for one in found if one is not self.way]
 
     def show_status(self, status: DispatchStatus | None, exists: bool) -> None:
         """Show the present state of a run."""
@@ -102,6 +116,7 @@ class HoldCard(QFrame):
         self._advice.setText(hold_advice(status))
         self._advice.setVisible(bool(self._advice.text()))
         self._offer(offers(status))
+        self._way.setVisible(status.phase == "no_route")
         if self.property("kind") != kind:
             self.setProperty("kind", kind)
             self.style().unpolish(self)

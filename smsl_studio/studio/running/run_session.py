@@ -20,26 +20,24 @@ from smsl_studio.dispatch.execution.status import DispatchStatus
 from smsl_studio.dispatch.supervision.row import PERSON, Command
 from smsl_studio.dispatch.supervision.table import COMMANDS, Commands
 from smsl_studio.errors import StudioError
+from smsl_studio.front.proposed_edges import proposer_of
 from smsl_studio.front.request import RunRequest
 from smsl_studio.front.script.player import ScriptPlayer
 from smsl_studio.front.script.script import Act
 from smsl_studio.front.script_text import script_text
-from smsl_studio.host.process import ProcessHost
-from smsl_studio.host.protocol import SensorInfo
-from smsl_studio.host.remote import WithRemote
 from smsl_studio.host.spare import Spare
 from smsl_studio.library.loaded import Loaded
-from smsl_studio.monitor.reception import RemoteView
 from smsl_studio.runlog.decisions import DecidedBy, deciders, told_by
 from smsl_studio.runlog.events import Event
 from smsl_studio.runlog.history import Story
 from smsl_studio.runlog.playback import RunObserver
 from smsl_studio.studio.running.forecaster import Forecaster
 from smsl_studio.studio.running.operation_time import OperationTime, ShownTime
+from smsl_studio.studio.running.run_blueprint import RunBlueprint
 from smsl_studio.studio.running.run_choice import RunChoice
 from smsl_studio.studio.running.run_opener import RunOpener
+from smsl_studio.studio.running.run_world import RunWorld
 from smsl_studio.studio.running.runner import Runner
-from smsl_studio.world.protocol import Shape
 
 PLANNING = "the route is being planned"
 ENDABLE = ("stopped", "fault_hold", "no_route")
@@ -53,7 +51,7 @@ def nobody_named() -> str:
     return PERSON
 
 
-class RunSession(QObject, Commands):
+class RunSession(RunWorld, Commands):
     """The run of this window. There is at most one; a new one ends the old one.
 
     It is commanded by the methods of ``Commands``. ``who`` returns the person in whose name. A
@@ -73,27 +71,23 @@ class RunSession(QObject, Commands):
     """The world is ready, so its shapes can be drawn."""
     exists_changed = Signal(bool)
     """bool: whether there is a run that can be stopped."""
+    way_wanted = Signal()
+    """The person wants a provider to propose operations that lead on."""
     refused = Signal(object)
     """A StudioError: the run could not be opened, and nothing moved."""
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        self.blueprint: Blueprint | None = None
+        self._of = RunBlueprint()
         self.status: DispatchStatus | None = None
         self._told = RunObserver()
         self._decisions: list[Event] = []
-        self.shapes: tuple[Shape, ...] = ()
-        self.sensors: tuple[SensorInfo, ...] = ()
-        self.faults: tuple[str, ...] = ()
-        """The faults that can be injected into the world of the run."""
         self.caution: Callable[[], tuple[str, ...]] = tuple
         """Returns what the next run cannot give although its levels ask for it, in sentences."""
         self.choice: RunChoice | None = None
         self.foreign = False
         """Whether another file was opened since this run began."""
-        self._compared: tuple[Blueprint, Blueprint, bool] | None = None
         self._runner: Runner | None = None
-        self._dispatcher: Dispatcher | None = None
         self._exists = False
         self._shown: ShownTime | None = None
         self._asked: RunRequest | None = None
@@ -108,6 +102,15 @@ class RunSession(QObject, Commands):
         self._clock = QTimer(self)
         self._clock.setInterval(FRAME)
         self._clock.timeout.connect(self._listen)
+
+    @property
+    def blueprint(self) -> Blueprint | None:
+        """The blueprint of the run, with the edges that count in it alone; None without a run."""
+        return self._of.shown
+
+    @blueprint.setter
+    def blueprint(self, blueprint: Blueprint | None) -> None:
+        self._of.begin(blueprint)
 
     @property
     def record(self) -> Path | None:
@@ -127,14 +130,7 @@ class RunSession(QObject, Commands):
     def is_another(self, drawn: Blueprint) -> bool:
         """Whether the shown run differs from the drawing: it is of another file, or of other
         content."""
-        held = self.blueprint
-        if not self.shown or held is None:
-            return False
-        before = self._compared
-        if before is None or before[0] is not held or before[1] is not drawn:
-            # This is called for every frame, and comparing large blueprints is slow.
-            before = self._compared = (held, drawn, held is not drawn and held != drawn)
-        return self.foreign or before[2]
+        return self.shown and (self.foreign or self._of.differs(drawn))
 
     @property
     def story(self) -> Story:
@@ -213,13 +209,6 @@ class RunSession(QObject, Commands):
         return self._runner.lines if self._runner is not None else ()
 
     @property
-    def world_process(self) -> int | None:
-        """The process id of the world; None if it runs in no process of its own."""
-        host = self._dispatcher.host if self._dispatcher is not None else None
-        world = host.inner if isinstance(host, WithRemote) else host
-        return world.pid if isinstance(world, ProcessHost) else None
-
-    @property
     def pausing(self) -> bool:
         """Whether the run will pause by itself, because it was told to make one step."""
         return self._steps_first or (self.status is not None and self.status.pausing)
@@ -243,7 +232,8 @@ class RunSession(QObject, Commands):
         that its world needs.
         """
         self.close()
-        self.blueprint, self.choice, self.foreign = blueprint, choice, False
+        self.blueprint = blueprint
+        self.choice, self.foreign = choice, False
         self.status, self.shapes, self.sensors = None, (), ()
         self._told, self._decisions = RunObserver(), []
         request = self._asked = choice.request(blueprint)
@@ -274,23 +264,22 @@ class RunSession(QObject, Commands):
         self._clock.start()
         self.changed.emit()
 
+    @property
+    def lacks_way(self) -> bool:
+        """Whether the run holds because no way leads to the goal."""
+        return self._exists and self.phase == "no_route"
+
+    def ask_for_a_way(self, provider: str) -> None:
+        """Let a provider propose edges, and go on. It raises the errors of ``proposer_of``."""
+        if self._runner is not None and self._asked is not None and self.lacks_way:
+            asked = replace(self._asked.checked(), generate=provider)
+            self._runner.propose_with(proposer_of(asked, self._loaded))
+            self.resume()
+
     def set_speed(self, speed: float) -> None:
         """Set the simulated seconds per wall second; without a run it does nothing."""
         if self._runner is not None:
             self._runner.set_speed(speed)
-
-    def poses(self) -> tuple[float, ...]:
-        """The newest poses from the world's shared memory."""
-        return self._dispatcher.host.poses() if self._dispatcher is not None else ()
-
-    def words(self) -> Mapping[str, str]:
-        """Short words of the world for people, by name."""
-        return self._dispatcher.host.status() if self._dispatcher is not None else {}
-
-    def remote(self) -> RemoteView | None:
-        """The state of the sensors that are elsewhere; None if there are none."""
-        opened = self._dispatcher.opened if self._dispatcher is not None else None
-        return opened.remote.view() if opened and opened.remote else None
 
     @property
     def planned(self) -> tuple[Act, ...]:
@@ -322,8 +311,9 @@ class RunSession(QObject, Commands):
         """Forget a run that has ended, as if there had been none."""
         if not self._exists and self.blueprint is not None:
             self.close()
-            self.blueprint, self.status, self.choice = None, None, None
-            self._opening, self.foreign, self._compared = None, False, None
+            self.blueprint = None
+            self.status, self.choice = None, None
+            self._opening, self.foreign = None, False
             self.shapes, self.sensors = (), ()
             self._told = RunObserver()
             self.changed.emit()
@@ -362,6 +352,8 @@ class RunSession(QObject, Commands):
             self.progressed.emit()
 
     def _tell(self, events: tuple[Event, ...], status: DispatchStatus) -> None:
+        if self._of.extend(self.status, status) and self._asked and self._of.counting:
+            self._asked = replace(self._asked, blueprint=self._of.counting)
         self.status = status
         if events:
             self._told.tell(events)

@@ -16,6 +16,7 @@ from typing import Any
 from PySide6.QtCore import QObject, QThread, Signal
 
 from smsl_studio.dispatch.dispatcher import Dispatcher
+from smsl_studio.dispatch.drive.generation import EdgeProposer
 from smsl_studio.dispatch.execution.status import DispatchStatus
 from smsl_studio.dispatch.status_now import look_at_nothing
 from smsl_studio.dispatch.supervision.row import Command
@@ -122,6 +123,10 @@ class Runner(QThread):
         everything.
         """
         self._inbox.say(command)
+
+    def propose_with(self, proposer: EdgeProposer | None) -> None:
+        """Let a provider propose edges from now on, where no way leads to the goals."""
+        self._inbox.put(lambda dispatcher: dispatcher.propose_with(proposer))
 
     def set_speed(self, speed: float) -> None:
         """Set the simulated seconds per wall second; ``FASTEST`` is as fast as possible."""

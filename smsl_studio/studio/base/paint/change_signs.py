@@ -16,6 +16,8 @@ from smsl_studio.studio.base.theme import Tokens, text_font
 
 MINE, THEIRS, BASE = "M", "T", "B"
 SIDES = MINE + THEIRS
+PROPOSED = "?"
+"""Stands before the sign of what is proposed in a run and does not count yet."""
 SIGN_WIDTH = 13.0
 """Pixels from one sign to the next."""
 
@@ -90,14 +92,14 @@ def change_colours(sign: str, tokens: Tokens) -> tuple[QColor, QColor]:
 
 def change_dashes(sign: str) -> tuple[float, ...]:
     """The dashes of the line; empty for a solid line."""
-    return (4.0, 3.0) if sign.endswith("-") else ()
+    return (4.0, 3.0) if sign.endswith("-") or sign.startswith(PROPOSED) else ()
 
 
 def draw_change(
     painter: QPainter, x: float, y: float, radius: float, sign: str, tokens: Tokens
 ) -> None:
     """Draw a filled disc with the sign in it, and before it the sides of a merge, from x on."""
-    for letter in sign[:-1]:
+    for letter in sign[:-1].removeprefix(PROPOSED):
         draw_side(painter, x, y, radius, letter, tokens)
         x += SIGN_WIDTH
     sign = sign[-1]

@@ -46,6 +46,7 @@ PARTS = {
     "TilesView": _window("a-run-without-physics"),
     "FaultDialog": _window("a-run-without-physics", "Faults"),
     "SupervisorsDialog": HelpPlace("supervision.md", "automatic-supervisors-by-name"),
+    "WayDialog": HelpPlace("supervision.md", "when-no-way-leads-on-online-generation"),
     "ForecastStrip": HelpPlace("supervision.md", "forecasts"),
     "RequestDialog": HelpPlace("design-cycle.md", "generate-again"),
     "TextDialog": HelpPlace("design-cycle.md", "what-lies-beside-the-blueprint"),

@@ -27,6 +27,12 @@ class Trials(Protocol):
     def choose_supervisors(self) -> None:
         """Open the dialog for automatic supervisors."""
 
+    def can_ask_for_a_way(self) -> bool:
+        """Whether the run holds because no way leads to the goal."""
+
+    def ask_for_a_way(self) -> None:
+        """Open the dialog for who proposes operations that lead on."""
+
     def has_script(self) -> bool:
         """Whether something was done by hand in the run that is shown."""
 
@@ -81,6 +87,9 @@ def run_actions(
         Action("supervisors", "Automatic supervisors…", trials.choose_supervisors, "Run", "shield",
                (), can_run, section=3,
                tip="Who decides on each operation of the next run, and what a forecast does"),
+        Action("ask_for_a_way", "Ask for a way…", trials.ask_for_a_way, "Run", "search", (),
+               trials.can_ask_for_a_way, section=3,
+               tip="Where no way leads to the goal: who proposes operations of the library"),
         Action("save_script", "Save as script…", trials.save_script, "Run", "save", (),
                trials.has_script, section=3,
                tip="Save what was done by hand in this run, so that it can be done again"),

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QEventLoop, Qt, QTimer
+from PySide6.QtCore import QEventLoop, QTimer
 from PySide6.QtWidgets import QWidget
 
 from smsl_studio.front.views.phase_words import outcome_words, phase_words
@@ -18,6 +19,7 @@ from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.base.words import capital
 from smsl_studio.studio.document.files.dialogs import Dialogs
 from smsl_studio.studio.features.run.actions import run_actions
+from smsl_studio.studio.features.run.kept_edges import offer_to_keep
 from smsl_studio.studio.features.run.page_rows import PageRows
 from smsl_studio.studio.features.run.run_pages import HOME, RunPages
 from smsl_studio.studio.running.persons import Persons
@@ -138,6 +140,8 @@ class RunFeature(Feature):
             changed.connect(lambda *_: warming.soon())
         files.asking.connect(pane.file_asked)
         pane.run.exists_changed.connect(self._tell_end)
+        pane.run.exists_changed.connect(partial(offer_to_keep, pane.run, self._parts))
+        pane.run.way_wanted.connect(self.ask_for_a_way)
         if self._loaded is not None:
             pane.set_plugins(self._loaded)
         return pane
@@ -251,18 +255,19 @@ class RunFeature(Feature):
 
     def choose_supervisors(self) -> None:
         """Ask for the automatic supervisors of the next run."""
-        from smsl_studio.studio.features.run.supervisors_dialog import SupervisorsDialog
+        from smsl_studio.studio.features.run.supervisors_dialog import choose_supervisors
 
-        following = self.pane.next
-        dialog = SupervisorsDialog(following.supervisors, following.loaded, self._parts.window)
-        dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        choose_supervisors(self.pane.next, self._parts.window)
 
-        def take() -> None:
-            """Keep what was chosen for the next run."""
-            following.supervisors = dialog.choice
+    def can_ask_for_a_way(self) -> bool:
+        """Whether the run holds because no way leads to the goal."""
+        return self.part.made is not None and self.part.made.run.lacks_way
 
-        dialog.accepted.connect(take)
-        dialog.open()
+    def ask_for_a_way(self) -> None:
+        """Ask who proposes operations that lead on."""
+        from smsl_studio.studio.features.run.way_dialog import ask_for_a_way
+
+        ask_for_a_way(self.pane.run, self._parts.window)
 
     def has_script(self) -> bool:
         """Whether something was done by hand in the run that is shown."""

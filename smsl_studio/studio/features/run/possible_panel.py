@@ -57,6 +57,7 @@ class PossiblePanel(QWidget):
         self.list.restore_wanted.connect(run.restore)
         self.list.prune_wanted.connect(self._ask_prune)
         self.hold.wanted.connect(self.ask)
+        self.hold.way_wanted.connect(run.way_wanted)
         self.asking.confirmed.connect(self._do)
         self.asking.dropped.connect(self._fit)
 

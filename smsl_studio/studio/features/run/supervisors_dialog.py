@@ -21,6 +21,7 @@ from smsl_studio.library.loaded import Loaded
 from smsl_studio.library.signature import Signature
 from smsl_studio.studio.base.controls import Combo, label, row
 from smsl_studio.studio.base.screens import open_at
+from smsl_studio.studio.features.run.next_run import NextRun
 from smsl_studio.studio.features.run.supervisor_choice import SupervisorChoice
 
 LEVELS = {
@@ -105,6 +106,19 @@ class SupervisorsDialog(QDialog):
         """Take over what was chosen."""
         self.choice = SupervisorChoice(self._lines, self.forecast.currentData() or "")
         super().accept()
+
+
+def choose_supervisors(following: NextRun, window: QWidget) -> None:
+    """Ask for the automatic supervisors of the next run, and keep what was chosen for it."""
+    dialog = SupervisorsDialog(following.supervisors, following.loaded, window)
+    dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+
+    def take() -> None:
+        """Keep what was chosen."""
+        following.supervisors = dialog.choice
+
+    dialog.accepted.connect(take)
+    dialog.open()
 
 
 def known_supervisors(loaded: Loaded | None) -> Mapping[str, Signature]:
