@@ -87,7 +87,7 @@ def run_actions(
         Action("supervisors", "Automatic supervisors…", trials.choose_supervisors, "Run", "shield",
                (), can_run, section=3,
                tip="Who decides on each operation of the next run, and what a forecast does"),
-        Action("ask_for_a_way", "Ask for a way…", trials.ask_for_a_way, "Run", "search", (),
+        Action("ask_for_a_way", "Ask for a way…", trials.ask_for_a_way, "", "search", (),
                trials.can_ask_for_a_way, section=3,
                tip="Where no way leads to the goal: who proposes operations of the library"),
         Action("save_script", "Save as script…", trials.save_script, "Run", "save", (),

@@ -19,7 +19,6 @@ from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.base.words import capital
 from smsl_studio.studio.document.files.dialogs import Dialogs
 from smsl_studio.studio.features.run.actions import run_actions
-from smsl_studio.studio.features.run.kept_edges import offer_to_keep
 from smsl_studio.studio.features.run.page_rows import PageRows
 from smsl_studio.studio.features.run.run_pages import HOME, RunPages
 from smsl_studio.studio.running.persons import Persons
@@ -111,6 +110,7 @@ class RunFeature(Feature):
         self.show_page(HOME if shown else name)
 
     def _make(self) -> RunPane:
+        from smsl_studio.studio.features.run.kept_edges import offer_to_keep
         from smsl_studio.studio.features.run.pane import RunPane
         from smsl_studio.studio.features.run.spare_world import SpareWorld
 

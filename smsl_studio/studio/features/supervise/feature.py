@@ -58,6 +58,7 @@ class SuperviseFeature(Feature):
             pane.set_large(True)
         pane.remember_large = partial(settings.store_text, LARGE)
         pane.full_map.canvas.collapse.join(self._parts.collapse)
+        pane.hold.way_wanted.connect(self._run().way_wanted)
         return pane
 
     def actions(self) -> tuple[Action, ...]:

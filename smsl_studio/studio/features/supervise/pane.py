@@ -261,7 +261,6 @@ class SupervisePane(QWidget):
         self.deciding.changed.connect(self.refresh)
         self.deciding.changed.connect(self._right.see_question)
         self.hold.wanted.connect(self.deciding.ask)
-        self.hold.way_wanted.connect(run.way_wanted)
         self.forecaster.changed.connect(self._show_forecast)
         self.forecast.anew_wanted.connect(lambda: self.forecaster.anew(run.status))
         self.notice.pressed.connect(self.begin_wanted)
