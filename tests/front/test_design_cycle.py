@@ -24,6 +24,7 @@ from smsl_studio.front.design.stages import (
     UNINSPECTED,
     WORDS,
 )
+from smsl_studio.front.installed import allow_generated
 from smsl_studio.shipped import samples_dir
 from tests.approval import DOOR, PASSPHRASE, make_keys_cheap
 from tests.cases import case
@@ -78,10 +79,10 @@ def test_a_drawing_with_nothing_beside_it_has_empty_stages_that_say_so() -> None
 def test_what_a_text_was_made_into_says_who_made_it_and_that_nobody_has_looked(file: Path) -> None:
     found = cycle_of(file)
     new, old = UNINSPECTED, SETTLED
-    assert standings(found) == [old, new, EMPTY, new, new, old, old, old, EMPTY]
+    assert standings(found) == [old, new, EMPTY, new, old, old, old, old, EMPTY]
     assert found.stage(1).verdict.words == "2 texts, 8 lines"
     assert found.stage(2).verdict.words == "7 of 7 have a source"
-    assert found.stage(5).verdict.words == "3 functions not read"
+    assert found.stage(5).verdict.words == "3 functions not written"
     assert found.stage(7).verdict.words == "Goal reached"
     assert [one.sources[0].line for one in found.parts if one.operation] == [3, 4, 5]
     assert [(one.number, one.who) for one in found.next] == [
@@ -182,6 +183,26 @@ def test_a_signature_settles_what_was_generated_until_the_next_edit(
     edited = cycle_of(file)
     assert edited.stage(9).foot == "Stage 4 changed"
     assert edited.stage(2).standing == UNINSPECTED
+
+
+def test_generated_functions_wait_until_a_person_has_read_them(file: Path) -> None:
+    place = file.parent / "rmm" / "LAMP.Op_LookLight.py"
+    place.write_text("def op_look_light(world):\n    yield\n", "utf-8")
+    found = cycle_of(file)
+    assert found.functions.written == ("LAMP/Op_LookLight",)
+    assert found.stage(5).foot == "Generated, not inspected"
+    assert "read 1 function" in [one.what for one in found.next]
+    proposal = found.functions.proposal
+    assert proposal is not None
+    allow_generated(proposal, proposal.digest)
+    assert cycle_of(file).stage(5).verdict.words == "2 functions not written"
+    # Other code, if only one character, is read anew; what reaches out of its world cannot be.
+    place.write_text("def op_look_light(world):\n    yield  #\n", "utf-8")
+    assert cycle_of(file).stage(5).verdict.words == "1 function not read"
+    place.write_text("import os\n\n\ndef op_look_light(world):\n    yield\n", "utf-8")
+    found = cycle_of(file)
+    assert found.stage(5).verdict.words == "Functions reach too far"
+    assert "import" in found.functions.fault
 
 
 def test_what_is_missing_says_so(file: Path) -> None:

@@ -174,6 +174,23 @@ def test_a_person_may_say_that_a_stage_still_holds(sit: Sit, lamp: Path) -> None
     assert not at.page.side.holds.isVisible()
 
 
+def test_a_function_that_was_written_is_read_and_allowed(sit: Sit, lamp: Path) -> None:
+    at = made(sit, lamp)
+    at.person.window.set_mode("draw")
+    function = "def op_look_light(world):\n    yield\n"
+    (lamp.parent / "lamp-blueprint" / "rmm" / "LAMP.Op_LookLight.py").write_text(function, "utf-8")
+    at.person.window.set_mode("cycle")
+    at.choose(stages.CODE)
+    at.person.click(at.page.side.read)
+    dialog = at.feature.verbs.reading
+    assert dialog is not None
+    assert "+def op_look_light(world):" in dialog.difference.toPlainText()
+    at.person.click(dialog.allow)
+    at.person.until(lambda: at.cycle.functions.is_read)
+    assert "Allowed" in at.person.window.toast.words
+    assert not at.page.side.read.isVisible()
+
+
 def test_by_hand_says_what_is_missing_and_goes_on_when_it_is_there(sit: Sit, lamp: Path) -> None:
     at = AtCycle(sit(begin=False))
     at.person.window.actions_table["from_text"].trigger()

@@ -10,6 +10,7 @@ from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.front.approval_badge import ApprovalWords, approval_words
 from smsl_studio.front.check_findings import CheckAnswer, whole_check
 from smsl_studio.front.design.found import KeptVerdict, TextBeside, kept_verdicts
+from smsl_studio.front.design.functions import NO_FUNCTIONS, FunctionsBeside
 from smsl_studio.front.design.made_design import (
     branches_stage,
     states_stage,
@@ -57,6 +58,7 @@ class DesignCycle:
     digests: dict[str, str]
     check: CheckAnswer
     approval: ApprovalWords
+    functions: FunctionsBeside = NO_FUNCTIONS
     equipment: NeededEquipment | None = None
     generation: Blueprint | None = None
     fault: str = ""
@@ -100,6 +102,7 @@ def design_cycle(
         matter.digests,
         result,
         said,
+        matter.functions,
         matter.equipment,
         matter.generation,
         matter.fault,

@@ -20,7 +20,7 @@ from smsl_studio.generate.text.answers import AnswerFault, fitted
 from smsl_studio.generate.text.chain import KEPT
 from smsl_studio.generate.text.equipment import NeededEquipment, read_equipment_page
 from smsl_studio.generate.text.expert_text import ExpertText, text_at
-from smsl_studio.generate.text.prompts import FILES, HIM, RMM
+from smsl_studio.generate.text.prompts import FILES, HIM
 from smsl_studio.smsl.inputs import read_ordinary
 from smsl_studio.stop import heed
 
@@ -152,11 +152,6 @@ def kept_verdicts(folder: Path) -> tuple[KeptVerdict, ...]:
         return _Verdicts.model_validate({"listed": json.loads(raw)}).listed
 
     return _read(folder / "requirements.json", read) or ()
-
-
-def unread_functions(folder: Path) -> int:
-    """Return the number of functions in ``rmm/``, which is not loaded."""
-    return sum(1 for one in _inside(folder / FILES[RMM]) if one.suffix == ".py")
 
 
 def found_codes(folder: Path) -> Iterator[CodeBeside]:

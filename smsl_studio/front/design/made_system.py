@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from smsl_studio.front.design import found
+from smsl_studio.front.design.functions import FunctionsBeside
 from smsl_studio.front.design.makers import BY_HAND, maker_of, model_of, newest
 from smsl_studio.front.design.matter import CLOSURE, DEVICES, LIST, TEXTS, DesignMatter
 from smsl_studio.front.design.stages import (
@@ -38,14 +39,14 @@ def code_stage(matter: DesignMatter) -> DesignStage:
     """Return stage 5: programs that carry it out, and functions that nobody has read."""
     here, every = matter.digests[CLOSURE], found.found_codes(matter.folder)
     codes = sorted(every, key=lambda one: (one.closure != here, one.folder))
-    unread = found.unread_functions(matter.folder)
-    told = f"{counted(unread, 'function')} not read" if unread else ""
-    if not codes and not unread:
+    functions = matter.functions
+    told = _functions_told(functions)
+    if not codes and not told:
         return DesignStage(CODE)
     if not codes:
         return DesignStage(
             CODE, maker_of(model_of(matter, RMM)), verdict=StageVerdict(told, UNKNOWN),
-            lacks="No program is written", is_generated=True,
+            lacks="No program is written", is_generated=bool(functions.unread),
         )  # fmt: skip
     code = codes[0]
     words = f"{counted(code.files, 'file')} in {code.folder.name}"
@@ -54,10 +55,19 @@ def code_stage(matter: DesignMatter) -> DesignStage:
         StageMaker(RULES, "Rules"),
         digest_of({"code of": code.closure, "files": code.files}),
         newest([code.folder]),
-        StageVerdict(told or words, UNKNOWN if unread else GOOD),
+        StageVerdict(told or words, UNKNOWN if told else GOOD),
         matter.changed({CLOSURE: code.closure}),
-        is_generated=bool(unread),
+        is_generated=bool(functions.unread),
     )
+
+
+def _functions_told(functions: FunctionsBeside) -> str:
+    """Return what is to be done about generated functions; empty if nothing is."""
+    if functions.fault:
+        return "Functions reach too far"
+    if functions.unread:
+        return f"{counted(functions.unread, 'function')} not read"
+    return f"{counted(functions.skeletons, 'function')} not written" if functions.skeletons else ""
 
 
 def hardware_stage(matter: DesignMatter) -> DesignStage:

@@ -15,6 +15,7 @@ from smsl_studio.front.approval_badge import ApprovalWords
 from smsl_studio.front.approval_files import record_in
 from smsl_studio.front.check_findings import CheckAnswer
 from smsl_studio.front.design import found, stages
+from smsl_studio.front.design.functions import FunctionsBeside, functions_beside
 from smsl_studio.front.design.notes import NO_NOTES, DesignNotes, StageNote, read_notes
 from smsl_studio.generate.text.equipment import NeededEquipment
 from smsl_studio.generate.text.prompts import FILES, PSM
@@ -108,6 +109,11 @@ class DesignMatter:
     def equipment(self) -> NeededEquipment | None:
         """Which hardware is needed, and whether it is there."""
         return found.needed_equipment(self.folder)
+
+    @cached_property
+    def functions(self) -> FunctionsBeside:
+        """The generated functions, which are not loaded from there."""
+        return functions_beside(self.folder)
 
     @cached_property
     def generation(self) -> Blueprint | None:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 
-from smsl_studio.front.design.found import unread_functions
 from smsl_studio.front.design.matter import DesignMatter
 from smsl_studio.front.design.stages import (
     APPROVAL,
@@ -71,9 +70,13 @@ def _code(stage: DesignStage, matter: DesignMatter) -> Iterator[NextStep]:
         yield NextStep(CODE, "write the program", BY_RULES)
     elif stage.own:
         yield NextStep(CODE, "write the program again", BY_RULES)
-    unread = unread_functions(matter.folder)
-    if unread:
-        yield NextStep(CODE, f"read {counted(unread, 'function')}", A_PERSON)
+    functions = matter.functions
+    if functions.fault:
+        yield NextStep(CODE, "mend the functions", A_PERSON)
+    elif functions.unread:
+        yield NextStep(CODE, f"read {counted(functions.unread, 'function')}", A_PERSON)
+    elif functions.skeletons:
+        yield NextStep(CODE, f"write {counted(functions.skeletons, 'function')}", A_PERSON)
 
 
 def _hardware(stage: DesignStage, matter: DesignMatter) -> Iterator[NextStep]:

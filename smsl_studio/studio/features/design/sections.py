@@ -151,6 +151,18 @@ def _code(cycle: DesignCycle, _: Blueprint) -> Iterator[SideSection]:
     rows = [SideRow(stage.verdict.words, mark=stage.verdict.mark)] if stage.verdict.words else []
     empty = "No program. Rules write one from the blueprint, the same each time."
     yield SideSection("Program", rows=tuple(rows), empty=empty)
+    functions = cycle.functions
+    state = "allowed, counts after its sweep" if functions.is_read else "not read, not loaded"
+    own = [SideRow(one, state, stages.GOOD if functions.is_read else stages.UNKNOWN)
+           for one in functions.written]  # fmt: skip
+    if functions.fault:
+        own = [SideRow(functions.fault, mark=stages.BAD)]
+    empty = f"{counted(functions.skeletons, 'skeleton')} in rmm, and nobody has written them."
+    none = "None. Every operation has a function, or a person does it."
+    right = str(len(functions.written) or "")
+    yield SideSection(
+        "Generated functions", right, tuple(own[:MOST]), empty if functions.skeletons else none
+    )
 
 
 def _hardware(cycle: DesignCycle, blueprint: Blueprint) -> Iterator[SideSection]:

@@ -15,7 +15,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from smsl_studio.front.design.stages import EMPTY, FSM, HARDWARE, DesignStage
+from smsl_studio.front.design.stages import CODE, EMPTY, FSM, HARDWARE, DesignStage
 from smsl_studio.studio.base.badge import BadgeLook, badge_width
 from smsl_studio.studio.base.controls import Elided, label, row, rule
 from smsl_studio.studio.base.icons import icon, pixmap
@@ -45,6 +45,7 @@ class StageSide(QWidget):
     edit_wanted = Signal(int)
     open_wanted = Signal(int)
     holds_wanted = Signal(int)
+    read_wanted = Signal(int)
     line_wanted = Signal(str, int, int)
     """(str, int, int): name, line and page of a text."""
     element_wanted = Signal(str)
@@ -63,12 +64,15 @@ class StageSide(QWidget):
         self.holds = QPushButton(" Still holds")
         self.holds.setToolTip(tip_text("Say that you have looked at the change of the earlier "
                                        "stage, and that this one needs none"))  # fmt: skip
+        self.read = QPushButton(" Read functions…")
+        self.read.setToolTip(tip_text("Read the generated functions, and allow what you have read"))
         self.digest = label("", "mono")
         self.hint = label("", "hint")
         self.rows: list[PlainRow | PartRow] = []
         for button, wanted in (
             (self.act, self.act_wanted), (self.edit, self.edit_wanted),
             (self.open, self.open_wanted), (self.holds, self.holds_wanted),
+            (self.read, self.read_wanted),
         ):  # fmt: skip
             button.setAutoDefault(False)
             button.clicked.connect(lambda _=False, w=wanted: w.emit(self.stage.number))
@@ -84,7 +88,7 @@ class StageSide(QWidget):
         upper.setSpacing(8)
         upper.addLayout(row(self._disc, self.title, self.badge))
         upper.addLayout(row(self._by, self.maker))
-        upper.addLayout(row(self.act, self.edit, self.open, self.holds, None))
+        upper.addLayout(row(self.act, self.edit, self.open, self.holds, self.read, None))
         upper.addLayout(row(self.digest, None))
         upper.addWidget(self.hint)
         column.addLayout(upper)
@@ -129,6 +133,7 @@ class StageSide(QWidget):
                 button.setText(f" {said[0]}")
                 button.setToolTip(tip_text(said[1]))
         self.holds.setVisible(bool(stage.own) and stage.number in (FSM, HARDWARE))
+        self.read.setVisible(stage.number == CODE and stage.is_generated)
         self.hint.setText(acts.hint)
         self._dress()
         if tuple(sections) != self._sections or other:
@@ -148,7 +153,8 @@ class StageSide(QWidget):
     def _dress(self) -> None:
         tokens, maker = self._tokens, self.stage.maker
         for button, name in (
-            (self.act, "loop"), (self.edit, "pencil"), (self.open, "arrow"), (self.holds, "check")
+            (self.act, "loop"), (self.edit, "pencil"), (self.open, "arrow"),
+            (self.holds, "check"), (self.read, "eye"),
         ):  # fmt: skip
             button.setIcon(icon(name, tokens))
         self._by.setVisible(maker is not None)

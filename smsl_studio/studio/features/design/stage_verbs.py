@@ -26,6 +26,7 @@ if TYPE_CHECKING:
 
     from smsl_studio.front.design.cycle import DesignCycle
     from smsl_studio.front.design.notes import StageNote
+    from smsl_studio.studio.features.design.functions_dialog import FunctionsDialog
     from smsl_studio.studio.features.design.page import CyclePage
     from smsl_studio.studio.features.design.text_dialog import TextDialog
 
@@ -52,6 +53,8 @@ class StageVerbs(QObject):
         self.tokens = parts.tokens
         self.text: TextDialog | None = None
         """The text that is open."""
+        self.reading: FunctionsDialog | None = None
+        """The functions that are read."""
         self.menu: QMenu | None = None
         self._page: CyclePage | None = None
 
@@ -62,6 +65,7 @@ class StageVerbs(QObject):
         side.edit_wanted.connect(self.edit)
         side.open_wanted.connect(self.open)
         side.holds_wanted.connect(self._hold)
+        side.read_wanted.connect(lambda _: self.read_functions())
         side.line_wanted.connect(self.read)
         side.element_wanted.connect(self.go_to)
         page.board.next.place_wanted.connect(self.go_to)
@@ -128,6 +132,21 @@ class StageVerbs(QObject):
         self.text = TextDialog(found.text, str(found.path), self.tokens, self._parts.window)
         self.text.go_to(line, page)
         self.text.show()
+
+    def read_functions(self) -> None:
+        """Show the generated functions, which a person may allow."""
+        from smsl_studio.studio.features.design.functions_dialog import FunctionsDialog
+
+        proposal = self._cycle.functions.proposal if self._cycle is not None else None
+        if proposal is not None:
+            self.reading = FunctionsDialog(proposal, self._parts.window)
+            self.reading.allowed.connect(self._allowed)
+            self.reading.open()
+
+    def _allowed(self) -> None:
+        self._shell.program.look_for_plugins()
+        self._parts.toast.say("Allowed. They count in a world once their sweep has passed there.")
+        self.changed.emit()
 
     def go_to(self, address: str) -> None:
         """Show an element in the drawing."""

@@ -50,6 +50,7 @@ PARTS = {
     "ForecastStrip": HelpPlace("supervision.md", "forecasts"),
     "RequestDialog": HelpPlace("design-cycle.md", "generate-again"),
     "TextDialog": HelpPlace("design-cycle.md", "what-lies-beside-the-blueprint"),
+    "FunctionsDialog": HelpPlace("text.md", "functions-that-are-missing"),
     "StageBoard": HelpPlace("design-cycle.md", "what-a-card-says"),
     "StageSide": HelpPlace("design-cycle.md"),
     "CampaignDialog": _window("campaign"),
