@@ -42,6 +42,7 @@ BENCHES = (
     "fuzz",
     "exchange",
     "generation",
+    "hostile",
     "explored",
     "learn",
     "find",

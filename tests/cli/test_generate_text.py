@@ -14,6 +14,7 @@ import smsl_studio as smsl
 from smsl_studio.blueprint import editing
 from smsl_studio.shipped import samples_dir
 from tests.cli.shell import Answer, Shell
+from tests.generate.text.answering import completion, sent, server
 
 TEXTS = samples_dir() / "texts"
 LAMP = """# Lamp
@@ -54,6 +55,42 @@ def test_a_sample_becomes_a_blueprint_that_reaches_its_goal(
     assert shell(*words).status == 0
     after = {path.name: path.read_bytes() for path in out.parent.rglob("*") if path.is_file()}
     assert after == before
+
+
+@pytest.mark.parametrize("name", ["femoroplasty", "first-aid"])
+def test_recorded_answers_of_a_server_make_a_sample_also_after_wrong_ones(
+    shell: Shell, tmp_path: Path, name: str
+) -> None:
+    """Each stage but the last answers wrongly first: no JSON, another schema, a word of its own, a
+    citation of what stands nowhere. What was wrong is the next question."""
+    read, out = tmp_path / "read", tmp_path / "made" / "a.json"
+    hardware = ("--hardware", str(TEXTS / f"{name}-hardware.md"))
+    text = ("generate", "text", str(TEXTS / f"{name}.md"), *hardware)
+    assert shell(*text, "-o", str(read / "a.json")).status == 0
+    good = [one["answer"] for one in json.loads((read / "answers.json").read_text())["answers"]]
+    answers = iter([
+        "I am sorry.", '{"title": "x"}', f"Here it is:\n```json\n{good[0]}\n```",
+        '{"needs": 3}', good[1],
+        good[2].replace(f"{name}.md", "another.md"), '{"LAMP": 3}',
+        good[2].replace("State_0", "State_9", 1), good[2],
+        *good[3:],
+    ])  # fmt: skip
+    with server(lambda handler, _: sent(handler, completion(next(answers)))) as (url, prompts):
+        made = shell(*text, "-o", str(out), "--provider", url, "--format", "json")
+    assert made.status == 0, made.err
+    assert "the answer holds no JSON object" in prompts[1]
+    assert "steps: Field required" in prompts[2]
+    assert "the words do not stand there: another.md" in prompts[6]
+    assert (made.json["uncited"], made.json["goal"]) == ([], True)
+    assert shell("check", str(out)).status == 0
+    script = out.parent / "people.jsonl"
+    asked = ("--script", str(script)) if script.exists() else ()
+    ran = shell("run", str(out), "--world", "table", *asked, "--format", "json")
+    assert ran.lines[-1]["reason"] == "goal_reached"
+    theirs = json.loads((read / "a.json").read_text())
+    ours = json.loads(out.read_text())
+    assert (theirs.pop("_origin")["model"], ours.pop("_origin")["model"]) == ("reader", "m")
+    assert ours == theirs
 
 
 def test_each_output_says_how_it_was_made(shell: Shell, lamp: Path, tmp_path: Path) -> None:
