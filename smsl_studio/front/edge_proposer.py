@@ -233,13 +233,13 @@ class RunProposer:
         return ""
 
     def _leads(self, question: WayQuestion, made: Blueprint, edge: Address) -> bool:
-        """Return whether a way to the goals begins with the edge."""
+        """Return whether a way to the goals has the edge."""
         planner = Planner(Hierarchy(made), Terms(question.shut, hazards=guard_hazards(made)))
         try:
             legs = planner.legs(question.configuration, question.goals)
         except PlanningError:
             return False
-        return bool(legs) and legs is not None and edge in legs[0].operations
+        return any(edge in leg.operations for leg in legs or ())
 
     # forecasts ---------------------------------------------------------------------------------
 

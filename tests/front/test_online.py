@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import io
 import json
+import socket
+import tempfile
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -14,6 +16,7 @@ from smsl_studio import front
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.blueprint.reading import read_blueprint
 from smsl_studio.errors import UsageError
+from smsl_studio.front import edge_sources
 from smsl_studio.front.inputs import read
 from smsl_studio.front.logs import verify_stream
 from smsl_studio.front.runs import Run
@@ -207,6 +210,81 @@ def test_levels_leave_generation_to_people(tmp_path: Path) -> None:
     assert ran(blueprint, ALLOW, levels={"generation": "human"}, generate=by_hand).reason == (
         "goal_reached"
     )
+
+
+def test_a_server_that_says_nothing_keeps_no_run(monkeypatch: pytest.MonkeyPatch) -> None:
+    blueprint = changed("hanoi-2", cut)
+    with socket.create_server(("127.0.0.1", 0)) as silent:
+        url = f"http://127.0.0.1:{silent.getsockname()[1]}/v1"
+        asked = iter([False] * 40)
+        done = ran(blueprint, ALLOW, generate=url, stop_when=lambda: next(asked, True))
+        assert done.reason == "stopped"
+        monkeypatch.setattr(edge_sources, "SECONDS", 0.05)
+        late = ran(blueprint, ALLOW, generate=url)
+    assert late.reason == "no_route"
+    assert "takes longer than" in told(late, Held)[-1].details[0]
+    assert told(late, TaskOpened) == []
+
+
+def test_several_branches() -> None:
+    def planless(values: Json) -> None:
+        values["TOOLPLAN"]["State00"] = {}
+
+    def pointless(values: Json) -> None:
+        values["DIGITIZATION"]["State01"] = {"CalibratePointer": "State11"}
+        values["DIGITIZATION"]["State00"] = {}
+
+    roots = ran(changed("three-roots", planless), ALLOW)
+    assert roots.reason == "goal_reached"
+    assert [one.address for one in told(roots, EdgeGenerated)] == ["TOOLPLAN/State00/ChooseEntry"]
+    below = ran(changed("three-levels", pointless), ALLOW, start="SURGERY/State100")
+    assert below.reason == "goal_reached"
+    (made,) = told(below, EdgeGenerated)
+    assert made.address == "DIGITIZATION/State00/TouchLandmarks"
+    # An edge that changes what a sub-SB expands is none of the library's.
+    whole = json.dumps({"edges": [{"edge": "SURGERY/State000/Op", "target": "State110"}]})
+    assert "no such operation" in _why(changed("three-levels", _without_way), whole)
+
+
+def _without_way(values: Json) -> None:
+    values["SURGERY"]["State000"] = {}
+
+
+def _why(blueprint: Blueprint, answer: str) -> str:
+    """Why an answer is not shown."""
+    with tempfile.TemporaryDirectory() as folder:
+        Path(folder, "edges-1.json").write_text(answer)
+        held = told(ran(blueprint, ALLOW, generate=f"by-hand:{folder}"), Held)
+    return str(held[-1].details[0])
+
+
+def test_nobody_is_asked_while_a_fact_is_unknown() -> None:
+    blueprint = changed("hanoi-2", cut)
+    lost = {"do": "disturb", "target": "SB1/1", "kind": "dropout", "with": {"rate": 1.0}}
+    late = {**ALLOW, "after": 5.0}
+    done = ran(blueprint, lost, late)
+    assert done.reason == "no_route"
+    assert told(done, EdgeGenerated) == []
+    assert "SB1/1 is unknown" in told(done, Held)[-1].details[0]
+
+
+def test_hanoi_with_a_dropped_disk(tmp_path: Path) -> None:
+    """In physics: what would pick it up is shut out, and the library proposes something else."""
+    blueprint = read(samples_dir() / "hanoi-failures.json")
+    shut = [f"SB1/State_xaa/Op_recover1{peg}" for peg in "abc"]
+    dropped = {"during": "SB1/State_aaa/Op_1c", "after": 0.3, "do": "inject"}
+    dropped["fault"] = "gripper_opens"
+    terms = {"world": "hanoi", "on_mismatch": "adopt", "avoid": shut, "goal": "SB1/State_aba"}
+    log = tmp_path / "run.jsonl"
+    done = ran(blueprint, dropped, ALLOW, log=log, **terms)
+    assert done.reason == "goal_reached"
+    (made,) = told(done, EdgeGenerated)
+    assert made.address == "SB1/State_xaa/Op_recover2b"
+    assert made.function == "hanoi.recover_disk"
+    raw = log.read_bytes()
+    assert verify_stream(io.BytesIO(raw), "log", blueprint).doubt is None
+    off = ran(blueprint, dropped, generate="", **terms)
+    assert off.reason == "no_route"
 
 
 def test_forged_stories_with_a_generated_edge(tmp_path: Path) -> None:

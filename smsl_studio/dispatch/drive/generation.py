@@ -266,7 +266,9 @@ class Generation:
         if not closed[0].yes:
             self._refused[one.edge, one.target] = "it was not allowed"
             return
-        no = self._objection(one) or self._take(one, who_words(closed[0]))
+        assert self.proposer is not None, "somebody has proposed it"
+        no = self._why_not(self.proposer) or self._objection(one)
+        no = no or self._take(one, who_words(closed[0]))
         if no:
             self._refused[one.edge, one.target] = no
 
