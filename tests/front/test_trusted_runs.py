@@ -279,11 +279,13 @@ def test_hardware_runs_only_under_a_policy_that_is_met(file: Path) -> None:
     assert (run.reason, run.sentence) == ("goal_reached", run.sentence)
     assert "keys of a register" in run.trust
     # Edges that are generated in the run need a word of the policy.
-    told = {"policy": policy, "host": "local", "generate": "reader"}
-    assert codes(smsl.run(smsl.read(file), "lamp", **told)) == ["policy_unmet"]
+    asked = smsl.RunRequest(
+        smsl.read(file), "lamp", policy=Path(policy), host="local", generate="reader"
+    )
+    assert codes(smsl.run_request(asked)) == ["policy_unmet"]
     text = Path(policy).read_text("utf-8")
     Path(policy).write_text(f'{text}\ngenerated_edges = "confirmed"\n')
-    assert smsl.run(smsl.read(file), "lamp", **told).reason == "goal_reached"
+    assert smsl.run_request(asked).reason == "goal_reached"
 
 
 def test_the_dispatcher_asks_the_same_question_for_a_window(file: Path) -> None:
