@@ -36,8 +36,8 @@ def test_a_whole_run_with_the_keyboard_alone(sit: Sit) -> None:
     _take_over_and_give_back(at)
     _stop_reset_and_end(at)
     done = [word for word, refused in at.commanded() if not refused]
-    assert done == ["step", "ask", "veto", "prune", "take_over", "give_back", "accept", "stop",
-                    "reset", "stop", "end"]  # fmt: skip
+    assert done == ["step", "ask", "veto", "prune", "take_over", "give_back", "give_back",
+                    "accept", "stop", "reset", "stop", "end"]  # fmt: skip
     kinds = {type(event) for event in at.events}
     assert kinds >= {TakenOver, GivenBack, RunStopped, RunReset}
 
@@ -71,13 +71,17 @@ def _take_over_and_give_back(at: AtSupervise) -> None:
     """The state that was located is taken only when it is accepted."""
     at.press(Key.Key_T, Key.Key_Return)
     at.until_phase("Taken over")
+    card = at.pane.board.cards[0]
+    card.setFocus()
     at.press(Key.Key_T, Key.Key_Return)
     at.person.qtbot.waitUntil(lambda: at.asked.startswith("Located: SB1 in State_cba."))
     at.press(Key.Key_Escape)
     at.pane.refresh()
     assert at.asked == ""
+    assert card.hasFocus(), "where it was before the question"
     assert not any(isinstance(event, GivenBack) for event in at.events)
-    at.pane.accept()
+    at.press(Key.Key_T, Key.Key_Return)
+    at.person.qtbot.waitUntil(lambda: at.asked.startswith("Located: SB1 in State_cba."))
     at.press(Key.Key_Return)
     at.until_phase("Paused")
     assert any(isinstance(event, GivenBack) for event in at.events)

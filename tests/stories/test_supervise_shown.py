@@ -203,6 +203,12 @@ def test_what_is_offered_while_a_run_holds_has_its_whole_words(sit: Sit) -> None
 def test_the_large_layout_has_few_words_and_is_remembered(sit: Sit) -> None:
     at = AtSupervise(sit(HANOI, (1280, 800)))
     at.start_paused()
+    seen = at.pane.seen
+    seen.restore("Partial view,Text,Scene")
+    at.pane.refresh()
+    at.person.until(lambda: at.pane.scene.isVisible() and at.pane.board.cards[0].isVisible())
+    parts = at.pane.board, at.pane.text, at.pane.scene
+    sizes = [one.size() for one in parts]
     at.press(Key.Key_W)
     assert at.pane.large.isVisible()
     assert at.pane.large.words.state == "State_caa"
@@ -210,6 +216,17 @@ def test_the_large_layout_has_few_words_and_is_remembered(sit: Sit) -> None:
     assert not any(one.isVisible() for one in hidden)
     assert at.pane.step_in.veto.isVisible()
     assert at.pane.bar.stop.isVisible()
+    at.press(Key.Key_W)
+
+    def as_before() -> bool:
+        """But for a pixel, which a splitter may give to either part."""
+        now = [one.size() for one in parts]
+        pairs = zip(now, sizes, strict=True)
+        return all(max(abs(a.width() - b.width()), abs(a.height() - b.height())) <= 2
+                   for a, b in pairs)  # fmt: skip
+
+    at.person.until(as_before)
+    at.press(Key.Key_W)
     again = sit(HANOI, (1280, 800))
     again.ctrl(Key.Key_3)
     large = again.window.features.supervise.pane
@@ -254,3 +271,7 @@ def test_what_is_chosen_in_one_part_is_chosen_in_all(sit: Sit) -> None:
     assert pane.facts.keys == {("SB1", 0)}, "an operation shows what it changes"
     at.press(Key.Key_Escape)
     assert not pane.facts.keys
+    at.press(at.number("Op_1b"))
+    assert pane.facts.keys
+    at.press(Key.Key_Return)
+    assert not pane.facts.keys, "no longer than the question"

@@ -275,7 +275,7 @@ class Commands:
         label="Reset",
         tip="Unlatch a stop, to paused",
         consequence="It unlatches the stop, to paused; nothing moves until you say so",
-        offer="Unlatch the stop. The run is paused then.",
+        offer="Unlatch the stop. The run is paused then, and Resume reads the scene again.",
         offered=("stopped",),
     )
     end = CommandMethod(

@@ -55,9 +55,7 @@ class DecisionFlow(QObject):
     def ask(self, decision: Decision) -> None:
         """Ask for confirmation of a decision, with the keyboard focus on it."""
         if self._asking.decision is None:
-            focus = QApplication.focusWidget()
-            inside = focus is not None and self._home.isAncestorOf(focus)
-            self._came_from = focus if inside else None
+            self._came_from = self._focus()
         self._step_in.say("")
         self._asking.show_decision(decision)
         self._asking.take_focus()
@@ -96,6 +94,10 @@ class DecisionFlow(QObject):
         if decision is None:
             if located and status is not None and status.candidates != self._let_be:
                 self._asking.show_decision(decisions.accept(status))
+                self._came_from = self._focus()
+                if self._came_from is not None:
+                    # Else Enter, which stands at the question, would press the card of before.
+                    self._asking.take_focus()
             return
         refused = _refused(decision, status)
         if refused:
@@ -121,6 +123,11 @@ class DecisionFlow(QObject):
             self._asking.show_decision(decisions.choose(card))
         elif status is not None:
             self._asking.show_decision(decisions.followed(decision, status))
+
+    def _focus(self) -> QWidget | None:
+        """The widget of the page that has the keyboard focus, None if none of them has it."""
+        focus = QApplication.focusWidget()
+        return focus if focus is not None and self._home.isAncestorOf(focus) else None
 
     def _located(self, status: DispatchStatus | None) -> bool:
         taken = status is not None and self._run.exists and status.phase == "taken_over"

@@ -7,7 +7,6 @@ from collections.abc import Callable
 from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtGui import QKeyEvent, QResizeEvent, QShowEvent
 from PySide6.QtWidgets import (
-    QStackedWidget,
     QVBoxLayout,
     QWidget,
 )
@@ -19,17 +18,14 @@ from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.base.words import refusal_words
 from smsl_studio.studio.document.session import Session
 from smsl_studio.studio.features.supervise.bar import SuperviseBar
-from smsl_studio.studio.features.supervise.board import Board
 from smsl_studio.studio.features.supervise.check_panel import CheckPanel
 from smsl_studio.studio.features.supervise.decision_flow import DecisionFlow
 from smsl_studio.studio.features.supervise.fact_choice import NOTHING, FactChoice
-from smsl_studio.studio.features.supervise.facts import sensed_marks
 from smsl_studio.studio.features.supervise.forecast_strip import ForecastStrip
-from smsl_studio.studio.features.supervise.head import HIGH, LOW, PartialHead
+from smsl_studio.studio.features.supervise.graph_column import GraphColumn
 from smsl_studio.studio.features.supervise.keys import press
 from smsl_studio.studio.features.supervise.large_view import LargeView
 from smsl_studio.studio.features.supervise.large_words import LargeRun, large_words
-from smsl_studio.studio.features.supervise.notice import Notice
 from smsl_studio.studio.features.supervise.right_column import RightColumn
 from smsl_studio.studio.features.supervise.seen_parts import SeenParts
 from smsl_studio.studio.features.supervise.splits import Rolled, column_of, split_of
@@ -37,7 +33,6 @@ from smsl_studio.studio.features.supervise.step_in import StepIn
 from smsl_studio.studio.features.supervise.text_panel import TextPanel
 from smsl_studio.studio.running import decisions
 from smsl_studio.studio.running.hold_card import HoldCard
-from smsl_studio.studio.running.run_canvas import RunCanvas
 from smsl_studio.studio.running.run_session import ENDABLE, RunSession
 from smsl_studio.studio.running.world_pane import WorldPane
 
@@ -76,15 +71,15 @@ class SupervisePane(QWidget):
         # With a parent it is freed with the pane, also if the mode is never shown.
         self.bar = SuperviseBar(tokens, self)
         self.bar.hide()
-        self.head, self.board = PartialHead(tokens), Board(tokens)
-        self.full_map = RunCanvas(session, run, tokens)
-        self.notice = Notice()
+        self.graph = graph = GraphColumn(session, run, tokens)
+        self.head, self.board, self.pages = graph.head, graph.board, graph.pages
+        self.full_map, self.notice = graph.full_map, graph.notice
         self.check, self.forecast = CheckPanel(tokens), ForecastStrip(tokens)
         self.forecaster = run.forecaster
         self.text, self.scene = TextPanel(tokens), WorldPane(run, tokens, watches=True)
         self.hold, self.step_in = HoldCard(), StepIn(tokens)
-        self._wearing = (self.bar, self.head, self.board, self.full_map, self.check, self.step_in,
-                         self.forecast, self.text, self.scene)  # fmt: skip
+        self._wearing = (self.bar, self.graph, self.check, self.step_in, self.forecast, self.text,
+                         self.scene)  # fmt: skip
         self.deciding = DecisionFlow(run, self.step_in, self)
         self._build()
         self.facts = FactChoice(run, self.board, self.text, self.scene, self.check.table)
@@ -205,11 +200,7 @@ class SupervisePane(QWidget):
     # Building.
 
     def _build(self) -> None:
-        self.pages = QStackedWidget()
-        for page in (self.board, self.full_map, self.notice):
-            self.pages.addWidget(page)
-        graph = column_of(self.head, self.pages)
-        self.seen = SeenParts(self._run, graph, self.text, self.scene, self._tokens)
+        self.seen = SeenParts(self._run, self.graph, self.text, self.scene, self._tokens)
         self.bar.views.setMenu(self.seen.menu)
         self.large = LargeView(self._tokens)
         self.large.hide()
@@ -252,10 +243,12 @@ class SupervisePane(QWidget):
         self.text.chosen.connect(self.pick)
         for turned in (self.text.turned, self.seen.turned):
             turned.connect(self.refresh)
-        self.board.columns_moved.connect(lambda _: self._place_heads())
         self.full_map.chosen.connect(self.pick)
         self.facts.changed.connect(self.refresh)
-        self.step_in.asking.dropped.connect(lambda: self.facts.choose(NOTHING))
+        asking = self.step_in.asking
+        for over in (asking.dropped, asking.confirmed):
+            # What a question is about is chosen with it, and no longer than it.
+            over.connect(lambda *_: self.facts.choose(NOTHING))
         self.head.branch_wanted.connect(self.show_branch)
         self.head.map_wanted.connect(self.set_full_map)
         self.deciding.changed.connect(self.refresh)
@@ -303,7 +296,6 @@ class SupervisePane(QWidget):
     def refresh(self) -> None:
         """Show the present state of the run."""
         run, status, blueprint = self._run, self._run.status, self._run.blueprint
-        here = status is not None and blueprint is not None
         branch = ""
         self._view = None
         if status is not None and blueprint is not None:
@@ -314,22 +306,7 @@ class SupervisePane(QWidget):
         if not self.isVisible() and self.seen.own is None:
             return
         self.deciding.follow(status, self._view)
-        mapped = bool(here and run.exists and status is not None and status.full_map)
-        board = here and run.exists and self._view is not None
-        self.pages.setCurrentWidget(
-            self.full_map if mapped else self.board if board else self.notice
-        )
-        sensed = sensed_marks(blueprint, status, branch) if blueprint and status else ()
-        self.board.show_view(blueprint, self._view if board else None, self.deciding.picked, sensed)
-        self._place_heads()
-        self.head.setFixedHeight(LOW if mapped else HIGH)
-        names = list(status.configuration) if status is not None and not mapped else []
-        live = status.running.branch if status is not None and status.running else ""
-        self.head.show_branches(names if run.exists else [], branch, live)
-        self.head.show_map(mapped, run.exists and status is not None)
-        if mapped:
-            self.full_map.refresh()
-        self.notice.show_run(run, self._session.blueprint)
+        self.graph.show_view(self._view, branch, self.deciding.picked)
         self.check.show_status(
             blueprint, status, self._view, run.phase == "failed", over=not run.exists
         )
@@ -355,11 +332,6 @@ class SupervisePane(QWidget):
             here = LargeRun(run.blueprint, status, run.phase, run.over, run.sentence, asked)
             self.large.show_words(large_words(here, self._view, self.subject, told))
         self.text.show_state(run.blueprint, self._view, self.subject, at_work)
-
-    def _place_heads(self) -> None:
-        shown = self.pages.currentWidget() is self.board
-        came = self._view is not None and self._view.via is not None
-        self.head.show_columns(self.board.columns if shown else None, came, self.board.shift)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Fit the columns to the new size."""

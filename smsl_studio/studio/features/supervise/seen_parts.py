@@ -58,6 +58,7 @@ class SeenParts(QWidget):
         self._parts = dict(zip(NAMES, (graph, text, scene), strict=True))
         self._chosen: tuple[str, ...] = ()
         self._large = False
+        self._before: list[tuple[QSplitter, list[int]]] = []
         self._loaded: object = None
         self.remember: Callable[[str], object] = lambda _: None
         self.graph, self.text, self.scene = graph, text, scene
@@ -122,10 +123,22 @@ class SeenParts(QWidget):
         """Hide everything for the large layout, or show it again."""
         if on:
             self.put_back()
+            if not self._large:
+                self._before = [(one, one.sizes()) for one in (self._left, self._whole)]
         self._large = on
         self.larger.setChecked(on)
         self.apart.setEnabled(not on)
         self.fit()
+        if not on:
+            # The parts have their place a moment later.
+            QTimer.singleShot(0, self, self._as_before)
+
+    def _as_before(self) -> None:
+        """Give the parts the room that they had before the large layout."""
+        before, self._before = self._before, []
+        if not self._large:
+            for splitter, sizes in before:
+                splitter.setSizes(sizes)
 
     def restore(self, text: str) -> None:
         """Show what was remembered. Anything else is left alone."""

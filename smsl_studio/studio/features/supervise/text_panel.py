@@ -53,6 +53,7 @@ class TextPanel(QWidget):
         self._tokens = tokens
         self._texts: tuple[Blueprint, StateTexts] | None = None
         self._told: object = None
+        self._marked: QListWidgetItem | None = None
         self._form = 0
         self._changing: dict[str, str] = {}
         self.setProperty("role", "panel")
@@ -115,6 +116,7 @@ class TextPanel(QWidget):
             return
         self._told = told
         self.list.clear()
+        self._marked = None
         if blueprint is None or view is None:
             self.words.setText("Starts with the run")
             return
@@ -131,6 +133,9 @@ class TextPanel(QWidget):
         for line in found.lines:
             edge = Address(view.branch, view.state, line.operation) if line.operation else None
             self._add(f"{line.number:>4}  {line.text}", edge, edge == subject, at_work)
+        if self._marked is not None:
+            # In the middle, because a low list may cut its last line.
+            self.list.scrollToItem(self._marked, QListWidget.ScrollHint.PositionAtCenter)
 
     def _add(self, words: str, edge: Address | None, marked: bool, at_work: bool) -> None:
         item = QListWidgetItem(plain_text(words[:LONGEST].replace("\t", "    ")))
@@ -151,7 +156,7 @@ class TextPanel(QWidget):
             item.setData(Qt.ItemDataRole.AccessibleTextRole, f"{plain_text(words)}, {said}")
         self.list.addItem(item)
         if marked:
-            self.list.scrollToItem(item)
+            self._marked = item
 
     def _choose(self, item: QListWidgetItem) -> None:
         edge = item.data(ADDRESS)
