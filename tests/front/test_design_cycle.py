@@ -146,10 +146,12 @@ def test_a_note_holds_for_the_digests_for_which_it_was_written(file: Path) -> No
         stage=7, kind="rules", who="Sweep, world table", words="Sweep 3 of 3",
         of={name: digests[name] for name in ("blueprint", "devices")},
     )  # fmt: skip
-    notes = DesignNotes((file.parent / "lamp.md",), done={7: swept})
+    doubts = ("1 caution stands in pm.md, and no hazard",)
+    notes = DesignNotes((file.parent / "lamp.md",), doubts=doubts, done={7: swept})
     write_notes(notes, str(file))
     found = cycle_of(file)
     assert found.notes == notes
+    assert found.next[0].what == "read it against the text, look again at 1 point"
     assert (found.stage(7).verdict.words, found.stage(7).standing) == ("Sweep 3 of 3", SETTLED)
     file.with_suffix(".toml").write_text(
         '[world.table.operations]\n"Op_LookLight" = {function = "lamp.look"}\n', "utf-8"
@@ -183,6 +185,18 @@ def test_a_signature_settles_what_was_generated_until_the_next_edit(
     edited = cycle_of(file)
     assert edited.stage(9).foot == "Stage 4 changed"
     assert edited.stage(2).standing == UNINSPECTED
+
+
+def test_requirements_are_told_with_their_verdicts(made: Path, tmp_path: Path) -> None:
+    require = tmp_path / "require.toml"
+    require.write_text('required = ["Op_Look*"]\nforbidden = ["Op_Switch*"]\n', "utf-8")
+    file = tmp_path / "lamp.json"
+    smsl.generate_text([made / "lamp.md"], file, require=require)
+    found = cycle_of(file)
+    assert [one.verdict for one in found.requirements] == ["holds", "fails"]
+    assert found.stage(2).verdict.words == "1 requirement not met"
+    # The text lies elsewhere, and nobody has told where.
+    assert found.stage(1).foot == "lamp.md is not here"
 
 
 def test_generated_functions_wait_until_a_person_has_read_them(file: Path) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import threading
+from dataclasses import replace
 from http.server import BaseHTTPRequestHandler, HTTPServer
 from pathlib import Path
 
@@ -10,6 +11,7 @@ import pytest
 
 from smsl_studio.front.design import stages
 from smsl_studio.front.design.cycle import DesignCycle
+from smsl_studio.front.design.notes import read_notes, write_notes
 from smsl_studio.studio.features.design import request_dialog
 from smsl_studio.studio.features.design.page import CyclePage
 from smsl_studio.studio.features.design.request_dialog import (
@@ -172,6 +174,16 @@ def test_a_person_may_say_that_a_stage_still_holds(sit: Sit, lamp: Path) -> None
     at.person.click(at.page.side.holds)
     at.until(stages.FSM, stages.UNINSPECTED)
     assert not at.page.side.holds.isVisible()
+    # A note may name any file as a text; the desktop is not asked to open a program.
+    file = lamp.parent / "lamp-blueprint" / "lamp.json"
+    program = lamp.rename(lamp.with_name("lamp.sh"))
+    write_notes(replace(read_notes(str(file)), texts=(program,)), str(file))
+    at.person.window.set_mode("draw")
+    at.person.window.set_mode("cycle")
+    at.person.until(lambda: any(one.path == program for one in at.cycle.texts))
+    at.choose(stages.TEXT)
+    at.person.click(at.page.side.edit)
+    assert "lamp.sh is opened by no program" in at.person.window.toast.words
 
 
 def test_a_function_that_was_written_is_read_and_allowed(sit: Sit, lamp: Path) -> None:

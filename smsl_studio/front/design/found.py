@@ -9,6 +9,7 @@ import re
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
+from functools import lru_cache
 from pathlib import Path
 from typing import Annotated, Any, TypeVar
 
@@ -124,11 +125,26 @@ def found_texts(
 def _text(name: str, path: Path) -> TextBeside:
     heed()
     try:
-        return TextBeside(name, path, text_at(path))
+        return TextBeside(name, path, _text_at(path, _stamp(path)))
     except StudioError as error:
         if not path.exists():
             return TextBeside(name, None, None, f"{name} is not here")
         return TextBeside(name, path, None, f"{name}: {error.sentence}")
+
+
+@lru_cache(maxsize=64)
+def _text_at(path: Path, stamp: object) -> ExpertText:
+    """Return the text of a file. One that has not been written since is not read again, because a
+    PDF takes a process of its own."""
+    return text_at(path)
+
+
+def _stamp(path: Path) -> object:
+    try:
+        seen = path.stat()
+    except OSError:
+        return None
+    return seen.st_ino, seen.st_mtime_ns, seen.st_size
 
 
 def kept_head(folder: Path) -> KeptHead | None:
@@ -239,9 +255,5 @@ def stamps_of(path: Path | None, texts: Sequence[Path | None]) -> tuple[object, 
     found: list[object] = []
     for one in (*beside, *texts):
         if one is not None:
-            try:
-                seen = one.stat()
-            except OSError:
-                continue
-            found.append((one, seen.st_mtime_ns, seen.st_size))
+            found.append((one, _stamp(one)))
     return tuple(found)

@@ -186,15 +186,17 @@ def keep_generation(new: NewGeneration, own: bool = False) -> None:
         from smsl_studio.front.outputs import converted
 
         save_document(converted(new.made.blueprint, target).document, target, made_of=inputs)
-    remember(str(target), asked)
+    remember(str(target), new)
 
 
-def remember(file: str, asked: GenerationRequest) -> None:
-    """Write into the notes of a blueprint of which texts it was made."""
+def remember(file: str, new: NewGeneration) -> None:
+    """Write into the notes of a blueprint of which texts it was made, and what is in doubt."""
+    asked = new.request
     write_notes(replace(
         notes_or_none(file), texts=tuple(one.absolute() for one in asked.texts),
         hardware=(asked.hardware.absolute(),) if asked.hardware else (),
         require=asked.require.absolute() if asked.require else None,
+        doubts=new.made.doubts,
     ), file)  # fmt: skip
 
 

@@ -20,9 +20,11 @@ from smsl_studio.smsl.files import save_document
 from smsl_studio.smsl.inputs import read_ordinary
 
 SUFFIX = ".cycle.json"
+MOST_DOUBTS = 100
 LARGEST = 1 << 20
 """The largest size of the file (bytes)."""
 _Short = Annotated[str, StringConstraints(max_length=300)]
+_Doubt = Annotated[str, StringConstraints(max_length=1000)]
 _Path = Annotated[str, StringConstraints(min_length=1, max_length=4096)]
 MakerKind = Literal["person", "rules", "physics", "model"]
 _Digest = Annotated[str, StringConstraints(pattern=r"^[0-9a-f]{64}$")]
@@ -51,16 +53,19 @@ class _Notes(BaseModel):
     texts: Annotated[tuple[_Path, ...], Field(max_length=100)] = ()
     hardware: Annotated[tuple[_Path, ...], Field(max_length=100)] = ()
     require: Annotated[str, StringConstraints(max_length=4096)] = ""
+    doubts: Annotated[tuple[_Doubt, ...], Field(max_length=MOST_DOUBTS)] = ()
     done: Annotated[tuple[StageNote, ...], Field(max_length=9)] = ()
 
 
 @dataclass(frozen=True)
 class DesignNotes:
-    """The notes of a blueprint. ``texts``, ``hardware`` and ``require`` are files, absolute."""
+    """The notes of a blueprint. ``texts``, ``hardware`` and ``require`` are files, absolute.
+    ``doubts`` are what the last generation says otherwise than the stages before it."""
 
     texts: tuple[Path, ...] = ()
     hardware: tuple[Path, ...] = ()
     require: Path | None = None
+    doubts: tuple[str, ...] = ()
     done: Mapping[int, StageNote] = field(default_factory=dict)
 
 
@@ -95,6 +100,7 @@ def read_notes(file: str) -> DesignNotes:
         tuple(map(placed, read.texts)),
         tuple(map(placed, read.hardware)),
         placed(read.require) if read.require else None,
+        read.doubts,
         {one.stage: one for one in read.done},
     )
 
@@ -112,6 +118,7 @@ def write_notes(notes: DesignNotes, file: str) -> None:
         texts=tuple(map(named, notes.texts)),
         hardware=tuple(map(named, notes.hardware)),
         require=named(notes.require) if notes.require is not None else "",
+        doubts=tuple(one[:1000] for one in notes.doubts[:MOST_DOUBTS]),
         done=tuple(notes.done[stage] for stage in sorted(notes.done)),
     )
     text = json.dumps(values.model_dump(mode="json"), ensure_ascii=False, indent=1)

@@ -70,6 +70,8 @@ class GenerationBar(QFrame):
             return
         many = counted(len(new.changes), "difference") if new.changes else "no difference"
         said = f"A new generation waits: {many}. The blueprint is as before until you take it."
+        if new.made.doubts:
+            said += f" Look again at {counted(len(new.made.doubts), 'point')}."
         if not new.made.goal_reached:
             said += " Its goal is not reached."
         self._offer(self.take, self.leave)

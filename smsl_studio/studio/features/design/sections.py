@@ -86,6 +86,9 @@ def _texts(cycle: DesignCycle, _: Blueprint) -> Iterator[SideSection]:
 
 
 def _states(cycle: DesignCycle, blueprint: Blueprint) -> Iterator[SideSection]:
+    if cycle.notes.doubts and not cycle.approval.is_good:
+        rows = [SideRow(one, mark=stages.WARNING) for one in cycle.notes.doubts]
+        yield SideSection("Look again", str(len(rows)), tuple(rows))
     parts = cycle.parts
     cited = sum(bool(one.sources) for one in parts)
     right = f"{cited} of {len(parts)} have a source" if parts else ""

@@ -35,6 +35,8 @@ OPENED = {
     stages.INSPECTION: "show_inspection", stages.APPROVAL: "mode_review",
 }  # fmt: skip
 """The action that opens the page of a stage."""
+TEXTS = (".md", ".txt", ".pdf")
+"""The desktop is asked to open these alone."""
 
 
 class StageVerbs(QObject):
@@ -91,8 +93,11 @@ class StageVerbs(QObject):
             path = self._first_text()
             if path is None:
                 self._texts.ask_new()
-            else:
+            elif path.suffix.lower() in TEXTS:
                 QDesktopServices.openUrl(QUrl.fromLocalFile(str(path)))
+            else:
+                # Notes come from outside, and the desktop would run a program.
+                self._parts.toast.say(f"{path.name} is opened by no program from here.")
         elif number in OPENED and number != stages.BRANCHES:
             self._trigger(OPENED[number])
         else:
