@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import threading
 from collections.abc import Mapping
 
 import pytest
@@ -129,3 +130,32 @@ def test_facts_that_change_make_a_forecast_old(sit: Sit) -> None:
     assert "out of date" in strip.accessibleDescription()
     strip.show_forecast(at.run.blueprint, view, {**view.before, "SB1/1": None}, True)
     assert "agrees" in strip.accessibleDescription()
+
+
+def test_the_process_of_a_forecast_ends_with_its_window(
+    sit: Sit, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Also where the thread that asks for forecasts is busy, and takes no further task."""
+    started: list[Child] = []
+    asks, over = threading.Event(), threading.Event()
+
+    def start(module: str) -> Child:
+        started.append(start_child(module))
+        return started[-1]
+
+    def predict(*_: object) -> Prediction:
+        asks.set()
+        over.wait()
+        return Prediction(NONE)
+
+    monkeypatch.setattr(twin_process, "start_child", start)
+    monkeypatch.setattr(TwinProcess, "predict", predict)
+    at = AtSupervise(sit(HANOI))
+    at.start_paused()
+    at.person.qtbot.waitUntil(asks.is_set)
+    (child,) = started
+    try:
+        at.person.window.features.stop()
+        assert child.dead
+    finally:
+        over.set()

@@ -78,6 +78,8 @@ class Forecaster(QObject):
         """What the run has told of its own forecasts."""
         self._make = TwinProcess
         self._twin: TwinProcess | None = None
+        self._leaving: list[TwinProcess] = []
+        """Twins that were given up and are not closed yet."""
         self._request: RunRequest | None = None
         self._key: tuple[object, ...] | None = None
         self._wanted: tuple[Mapping[str, str], Address] | None = None
@@ -146,12 +148,12 @@ class Forecaster(QObject):
 
     def close(self) -> None:
         """Give everything up; no further result arrives."""
-        twin, self._twin = self._twin, None
         self._leave()
         self._beside.stop()
-        if twin is not None:
+        for twin in self._leaving:
             # Not in the thread that uses it, which takes no further task.
             twin.close()
+        self._leaving.clear()
 
     def _tell_pace(self) -> None:
         """Tell how far the forecast is that is looked for."""
@@ -168,7 +170,8 @@ class Forecaster(QObject):
         twin, self._twin = self._twin, None
         if twin is not None:
             # In the thread that uses it.
-            self._beside.do(twin.close, lambda _: None)
+            self._leaving.append(twin)
+            self._beside.do(twin.close, lambda _: self._leaving.remove(twin))
 
     def _look(self) -> None:
         twin, wanted = self._twin, self._wanted

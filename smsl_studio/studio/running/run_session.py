@@ -307,6 +307,12 @@ class RunSession(RunWorld, Commands):
             runner.deleteLater()
         self._set_exists(False)
 
+    def shut(self) -> None:
+        """End the run and its forecasts, because the window closes."""
+        self.close()
+        if "forecaster" in vars(self):  # it is made when it is first asked for
+            self.forecaster.close()
+
     def forget(self) -> None:
         """Forget a run that has ended, as if there had been none."""
         if not self._exists and self.blueprint is not None:

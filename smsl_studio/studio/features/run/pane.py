@@ -159,7 +159,7 @@ class RunPane(QWidget):
     def shut(self) -> None:
         """End the run and free what it holds, because the window closes."""
         self._frames.stop()
-        self.run.close()
+        self.run.shut()
         self.world.close_graphics()
 
     def set_plugins(self, loaded: Loaded) -> None:
