@@ -64,7 +64,7 @@ def placed(s, key, at):  # where a sub-SB and its own start
 def level(s, *of): return next((a[k] for a in (s.h.levels, s.levels) for k in of if k in a), "")
 def edge(s, a):  # what an operation changes
 	b, at, word = parts(a); sb, own, key = s.sbs[b], text(word), text(at, word); no(a != text(b, at,
-		word)); to, was = s.made.get(a, [sb.states[at][word]])[0], s.conf | {b: at}
+		word)); to, was = [*s.made.get(a, [sb.states[at][word]])][0], s.conf | {b: at}
 	note = Map(sb.ops[own] | sb.ops[key]); load = note.subs == "load"; diff = {key for key, _ in
 		s.means[b, at].items() ^ s.means[b, to].items()}; op = Map(b=b, was=at, to=(b, to), new={b: to},
 		t=s.t, a=a, note=note, level=level(s, a, text(b, word)) or note.actor, needs=load or diff -
@@ -125,8 +125,8 @@ def on_route_planned(s, e):
 def on_operation_started(s, e):
 	a, op, now, rest = e.a, edge(s, e.a), here(s), s.ops; op.code = e.function; safe(s)
 	s.free, on, seen = s.free or s.ask == a, s.plan[:1] == [a], terms(s, now, op.b, way(s))
-	bound = s.h.grounds.functions[op.b]; yes, go = (s.said.pop((kind, a), "  ") for kind in ("confirm",
-		"supervise")); no(bound and e.function not in ("", *s.made.get(a, ()), *bound.values()))
+	bound = s.made.get(a) or s.h.grounds.functions[op.b]; yes, go = (s.said.pop((kind, a), "  ") for
+		kind in ("confirm", "supervise")); no(bound and e.function not in ("", *bound.values()))
 	no(op.to[1] != e.target or now[op.b] != op.was or a in s.shut or s.bar.get(a) or s.bad or not
 		s.free and (not on or s.paused or a in s.veto) or False in seen or None in seen and not rest
 		or s.acts and not s.again or any((o.how or o.b == op.b) and not o.done for o in rest) or
@@ -173,10 +173,10 @@ def on_commanded(s, e):
 	s.hand |= word in "ask step stop set_automatic set_cost"; s.ask = e.a if word == "ask" else s.ask
 def on_edge_generated(s, e):  # allowed, without a hazard, and as its name says elsewhere
 	b, at, w = parts(e.a); new, rows, to = facts(e.facts).items(), s.sbs[b].states, s.means[b, e.target]
-	no(s.ops or s.conf[b] != at or w in rows[at] or [e.by] != [*s.last.answers] or s.said.pop((
-		"generate", e.a), 0) != (s.t, "allow") or new ^ (to.items() - s.means[b, at].items()) or any(w in
-		r and new - s.means[b, r[w]].items() for r in rows.values()) or hazards(Map(s, facts=s.facts |
-		to))); s.made |= {e.a: (e.target, e.function)}
+	no(len(e.proposal) != 64 or not e.provider or s.ops or s.conf[b] != at or w in rows[at] or [e.by] !=
+		[*s.last.answers] or s.said.pop(("generate", e.a), 0) != (s.t, "allow") or new ^ (to.items() -
+		s.means[b, at].items()) or any(w in r and new - s.means[b, r[w]].items() for r in rows.values())
+		or hazards(Map(s, facts=s.facts | to))); s.made |= {e.a: {e.target: e.function}}
 def on_subs_bypassed(s, e): no({*edge(s, e.a).new} ^ {parts(e.a)[0], *e.subs})
 def on_disturbed(s, e): no(s.cause.value != (e.fault or f"{e.target} {e.kind}"))
 def on_held(s, e): s.paused, s.held = no(e.kind not in
@@ -188,7 +188,7 @@ def on_left_out(s, e): no(s.last.event not in "run_started left_out")
 on_costs_changed = on_operation_refused = on_risk_estimated = on_forecast = lambda *_: 0
 on_measured, on_resumed = on_forecast, on_paused; on_operation_pruned = lambda s, e: s.shut.add(e.a)
 on_taken_over, on_given_back, on_fault_injected = on_stopped, on_reset, on_disturbed
-def on_task_opened(s, e):  # whom the blueprint names
+def on_task_opened(s, e):
 	its = Map() if e.kind[0] in "sg" else s.notes[fact(e.a)] if e.kind == "fact" else edge(s, e.a).note
 	roles = its[e.kind if e.kind == "confirm" else "roles"] or [""]
 	no(e.task in s.names or e.role != ", ".join(filter(None, roles)) or e.persons != len(roles))

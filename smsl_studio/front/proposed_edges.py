@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from smsl_studio.errors import RunRefused
@@ -32,12 +33,12 @@ def proposer_of(request: RunRequest, loaded: Loaded | None) -> EdgeProposer | No
     return found
 
 
-def keep_answers(request: RunRequest, dispatcher: Dispatcher) -> None:
+def keep_answers(log: Path | None, dispatcher: Dispatcher) -> None:
     """Write the answers of who proposed edges beside the log, so that the run can be repeated."""
-    if request.log is None or not request.generate or dispatcher.proposer is None:
+    if log is None or dispatcher.proposer is None:
         return
     from smsl_studio.front.edge_proposer import kept_answers
 
     text = kept_answers(dispatcher.proposer)
     if text:
-        save_document(text, request.log.with_name(f"{request.log.name}{ANSWERS}"))
+        save_document(text, log.with_name(f"{log.name}{ANSWERS}"))

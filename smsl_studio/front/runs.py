@@ -333,7 +333,7 @@ def run_request(
     finally:
         try:
             if dispatcher is not None:
-                keep_answers(request, dispatcher)
+                keep_answers(request.log, dispatcher)
                 dispatcher.close()
         finally:
             recording.close()

@@ -7,7 +7,9 @@ import json
 import socket
 import tempfile
 from collections.abc import Callable
+from itertools import pairwise
 from pathlib import Path
+from random import Random
 from typing import Any
 
 import pytest
@@ -21,10 +23,13 @@ from smsl_studio.front.inputs import read
 from smsl_studio.front.logs import verify_stream
 from smsl_studio.front.runs import Run
 from smsl_studio.front.script.lines import script_of
+from smsl_studio.front.verifier import told_again
 from smsl_studio.runlog.events import EdgeGenerated, Event, ForecastTold, Held, TaskOpened
 from smsl_studio.shipped import samples_dir
 from smsl_studio.smsl.json_form import parse_json
 from tests.cases import case
+from tests.counts import share_of
+from tests.front.forged_runs import FORGERIES, forged
 from tests.runlog.impossible import Story
 
 ALLOW = {"do": "answer", "kind": "generate", "option": "allow", "by": "Ada", "times": "every"}
@@ -308,6 +313,10 @@ def test_forged_stories_with_a_generated_edge(tmp_path: Path) -> None:
         "no facts": lambda story: story.events[at].update(facts={}),
         "another edge": lambda story: story.events[at].update(address="SB1/State_aa/Op_2b"),
         "a drawn edge": lambda story: story.events[at].update(address="SB1/State_ba/Op_1a"),
+        "another function": lambda story: story.events[at].update(function="table.other"),
+        "no function": lambda story: story.events[at].update(function=""),
+        "no provider": lambda story: story.events[at].update(provider=""),
+        "no digest": lambda story: story.events[at].update(proposal="allow"),
         "later": lambda story: story.events.insert(at + 3, story.events.pop(at)),
         "refused": lambda story: story.events[at - 1].update(
             answer="refuse", answers={"Ada": "refuse"}
@@ -321,6 +330,25 @@ def test_forged_stories_with_a_generated_edge(tmp_path: Path) -> None:
             story = Story.of(log.read_bytes())
             forge(story)
             assert not _believed(story, blueprint)
+
+
+def test_no_forged_story_takes_an_edge_that_nobody_allowed(tmp_path: Path) -> None:
+    blueprint = changed("hanoi-2", cut)
+    log = tmp_path / "run.jsonl"
+    ran(blueprint, {**REFUSE, "times": 1}, ALLOW, log=log)
+    true, random = Story.of(log.read_bytes()), Random("generated")
+    for _ in range(share_of(400)):
+        story = forged(true, random.choice(FORGERIES), random)
+        refusal = told_again(story.raw(), blueprint) if story is not None else "none"
+        assert story is None or _believed(story, blueprint) == (not refusal)
+        if story is not None and not refusal:
+            known = {str(one.address): one.target for one in blueprint["SB1"].edges()}
+            for before, event in pairwise(story.events):
+                if event["event"] == "edge_generated":
+                    assert before["answers"] == {event["by"]: "allow"}
+                    known[event["address"]] = event["target"]
+                elif event["event"] == "operation_started":
+                    assert known[event["address"]] == event["target"]
 
 
 def _believed(story: Story, blueprint: Blueprint) -> bool:

@@ -49,6 +49,9 @@ def test_a_way_is_asked_for_shown_allowed_and_kept(sit: Sit, tmp_path: Path) -> 
     person.until(lambda: at.card.card is not None)
     assert "Op_1b from State_aa to State_ba" in at.shown.question
     assert "Forecast: agrees" in at.shown.detail
+    view = person.window.features.supervise.pane.view
+    assert view is not None
+    assert [one.standing for one in view.cards] == ["proposed"]
     # It is drawn as a difference, and does not count yet.
     person.ctrl(Qt.Key.Key_2)
     canvas = person.window.features.run.pane.canvas

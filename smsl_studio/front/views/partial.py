@@ -20,6 +20,8 @@ RUNNING, PAUSED, WAITS, UNKNOWN, PRUNED, RISKY, VETOED, REFUSED, NEXT, POSSIBLE 
     "running", "paused", "waits", "unknown", "pruned", "risky", "vetoed", "refused", "next",
     "possible",
 )  # fmt: skip
+PROPOSED = "proposed"
+"""The operation is none of the blueprint, and people are asked whether it may count in this run."""
 ACTORS = {"human": "human", "shared": "shared", "robot": "robot", "automatic": "robot"}
 ONE_AT_A_TIME = "one operation at a time"
 NUMBERED = 9
@@ -208,6 +210,8 @@ def _card(
 def _standing(status: DispatchStatus, address: Address, item: Possible | None) -> str:
     if address in (status.running, status.carrying):
         return PAUSED if status.phase == "paused" else RUNNING
+    if status.proposed is not None and status.proposed[0] == address:
+        return PROPOSED
     if any(task.address == str(address) for task in status.tasks):
         return WAITS
     if item is None:

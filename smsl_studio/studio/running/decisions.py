@@ -11,6 +11,7 @@ from smsl_studio.dispatch.supervision.row import Command
 from smsl_studio.dispatch.supervision.table import COMMANDS
 from smsl_studio.front.views.partial import (
     PAUSED,
+    PROPOSED,
     PRUNED,
     RISKY,
     RUNNING,
@@ -59,7 +60,7 @@ def choose(card: OperationCard) -> Decision:
     name, target = card.name, card.target
     if card.standing in (PRUNED, RISKY):
         return _restore(card.address, card.reasons, card.standing)
-    if card.standing == WAITS:
+    if card.standing in (WAITS, PROPOSED):
         return Decision("", f"{name} waits for an answer to its task.", "", card.address)
     if card.permitted or card.standing == VETOED:
         to = f"It stays in {target}." if card.stays else f"It leads to {target}."

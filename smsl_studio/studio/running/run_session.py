@@ -20,7 +20,7 @@ from smsl_studio.dispatch.execution.status import DispatchStatus
 from smsl_studio.dispatch.supervision.row import PERSON, Command
 from smsl_studio.dispatch.supervision.table import COMMANDS, Commands
 from smsl_studio.errors import StudioError
-from smsl_studio.front.proposed_edges import proposer_of
+from smsl_studio.front.proposed_edges import keep_answers, proposer_of
 from smsl_studio.front.request import RunRequest
 from smsl_studio.front.script.player import ScriptPlayer
 from smsl_studio.front.script.script import Act
@@ -367,6 +367,8 @@ class RunSession(RunWorld, Commands):
             self.events_told.emit(events)
         if self.story.moment.finished is not None:
             self._clock.stop()
+            if self._dispatcher is not None:
+                keep_answers(self.record, self._dispatcher)
             self._set_exists(False)
         # The first news can be older than the step with which the run was started.
         self._steps_first &= status.phase == "running" and not status.pausing

@@ -16,6 +16,7 @@ from smsl_studio.front.views.partial import (
     ONE_AT_A_TIME,
     PAUSED,
     POSSIBLE,
+    PROPOSED,
     PRUNED,
     REFUSED,
     RISKY,
@@ -46,6 +47,7 @@ BADGES = {
     RUNNING: "running",
     PAUSED: "paused",
     WAITS: "waits for you",
+    PROPOSED: "proposed",
     UNKNOWN: "unknown fact",
     PRUNED: "pruned",
     RISKY: "risky",
@@ -154,8 +156,9 @@ class CardButton(QAbstractButton):
         t, standing = self._tokens, self.card.standing
         dashes: tuple[float, ...] = ()
         fill, line, wide = t.surf, t.nl, 1.2
-        if standing in (WAITS, RUNNING, PAUSED):
+        if standing in (WAITS, RUNNING, PAUSED, PROPOSED):
             fill, line, wide = t.accs, t.acc, 1.6
+            dashes = (4.0, 3.0) if standing == PROPOSED else ()
         elif standing == NEXT:
             line, wide, dashes = t.acc, 1.6, (4.0, 3.0)
         elif standing == UNKNOWN:
@@ -190,6 +193,7 @@ class CardButton(QAbstractButton):
             RUNNING: (t.acc, t.acc, t.onacc, ()),
             PAUSED: (t.surf, t.acc, t.acc, ()),
             WAITS: (t.acc, t.acc, t.onacc, ()),
+            PROPOSED: (t.surf, t.acc, t.acc, (3.0, 2.0)),
             UNKNOWN: (t.unks, t.unk, t.unk, (3.0, 2.0)),
             RISKY: (t.risks, t.risk, t.risk, ()),
         }.get(self.card.standing, (t.sunk, t.line2, t.tx2, ()))

@@ -9,6 +9,7 @@ from PySide6.QtGui import QColor, QPainter, QPainterPath, QPen, QPolygonF
 from smsl_studio.front.views.partial import (
     NEXT,
     PAUSED,
+    PROPOSED,
     PRUNED,
     REFUSED,
     RISKY,
@@ -23,7 +24,7 @@ from smsl_studio.studio.base.theme import Tokens
 HEAD = 8.0
 DOTS = 16
 """The distance of the dots of the background (pixels)."""
-LIT = (WAITS, RUNNING, PAUSED, NEXT)
+LIT = (WAITS, PROPOSED, RUNNING, PAUSED, NEXT)
 FAN = 5.0
 """Pixels between two wires where they leave the state."""
 
@@ -33,6 +34,8 @@ def wire_pen(standing: str, tokens: Tokens) -> QPen:
     t = tokens
     if standing in (WAITS, RUNNING, PAUSED):
         return pen(t.acc, 2.2)
+    if standing == PROPOSED:
+        return pen(t.acc, 2.2, (4.0, 3.0))
     if standing == NEXT:
         return pen(t.acc, 1.8, (4.0, 4.0))
     if standing == UNKNOWN:
