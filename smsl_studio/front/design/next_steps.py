@@ -48,9 +48,10 @@ def _states(stage: DesignStage, matter: DesignMatter) -> Iterator[NextStep]:
         name = bare.operation or bare.state
         yield NextStep(FSM, f"cite {name} or drop it", A_PERSON, str(bare))
     elif stage.is_generated:
+        yield NextStep(FSM, "read it against the text", A_PERSON)
         many = len(matter.notes.doubts)
-        again = f", look again at {counted(many, 'point')}" if many else ""
-        yield NextStep(FSM, f"read it against the text{again}", A_PERSON)
+        if many:
+            yield NextStep(FSM, f"look again at {counted(many, 'point')}", A_PERSON)
 
 
 def _branches(stage: DesignStage, matter: DesignMatter) -> Iterator[NextStep]:

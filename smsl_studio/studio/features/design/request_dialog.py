@@ -34,6 +34,10 @@ ANSWERS = {
     "Kept answers": REPLAY,
     "A server, by its base URL": SERVER,
 }
+FIRST = (
+    "Add what somebody has written who knows the procedure: Markdown, plain text or a PDF. Each "
+    "part of the blueprint will cite its lines."
+)
 _TOLD = {
     READER: "The reader needs no model. The same text gives the same blueprint. Nothing leaves "
     "this computer.",
@@ -213,11 +217,11 @@ class RequestDialog(QDialog):
         for part in (self._where_words, self.where):
             part.setVisible(needed)
         self._where_button.setVisible(needed and kind != SERVER)
-        self.told.setText(_TOLD[kind])
         self._judge()
 
     def _judge(self) -> None:
         """Say what is missing, as soon as a text was chosen."""
+        self.told.setText(_TOLD[self.provider] if self.texts.count() else FIRST)
         try:
             self.chosen()
         except StudioError as error:

@@ -14,7 +14,7 @@ from smsl_studio.front.design.cycle import DesignCycle
 from smsl_studio.front.design.parts import MadePart
 from smsl_studio.inspection.proof.verdict import FAILS, HOLDS
 from smsl_studio.inspection.rules.finding import Severity
-from smsl_studio.studio.base.words import counted, whole_sentence
+from smsl_studio.studio.base.words import counted
 
 MOST = 200
 """So many rows of a section are shown."""
@@ -142,7 +142,7 @@ def _branches(_: DesignCycle, blueprint: Blueprint) -> Iterator[SideSection]:
 def _whole(cycle: DesignCycle, _: Blueprint) -> Iterator[SideSection]:
     found = [one for one in cycle.check.findings if one.severity is not Severity.NOTE]
     rows = [
-        SideRow(whole_sentence(one), one.rule, address=str(one.address),
+        SideRow(f"{one.address.path[-1]}: {one.message}", one.rule, address=str(one.address),
                 mark=stages.BAD if one.severity is Severity.ERROR else stages.WARNING)
         for one in found[:MOST]
     ]  # fmt: skip

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from PySide6.QtCore import QPointF, QRectF, QSize, Qt, Signal
-from PySide6.QtGui import QKeyEvent, QPainter, QPaintEvent, QPen, QPolygonF
+from PySide6.QtGui import QFontMetricsF, QKeyEvent, QPainter, QPaintEvent, QPen, QPolygonF
 from PySide6.QtWidgets import QAbstractButton, QHBoxLayout, QSizePolicy, QWidget
 
 from smsl_studio.front.design.parts import MadePart
@@ -12,7 +12,7 @@ from smsl_studio.picture.chip_kinds import VALUE
 from smsl_studio.studio.base.chips import paint_chip
 from smsl_studio.studio.base.icons import draw
 from smsl_studio.studio.base.rows import TextInk, paint_text
-from smsl_studio.studio.base.theme import Tokens
+from smsl_studio.studio.base.theme import Tokens, text_font
 from smsl_studio.studio.base.tips import tip_text
 from smsl_studio.studio.features.design.looks import MARKS, mark_colour
 from smsl_studio.studio.features.design.sections import SideRow
@@ -21,6 +21,7 @@ LOW, TALL = 28, 50
 ROOMY = 230
 """In a narrower element the chip of the facts is short (pixels)."""
 END = Qt.TextElideMode.ElideRight
+MOST_LINES, LINE_HIGH = 4, 18
 
 
 class RowButton(QAbstractButton):
@@ -53,34 +54,56 @@ class RowButton(QAbstractButton):
 
 
 class PlainRow(RowButton):
-    """Words with a mark, and words at the right."""
+    """Words with a mark, and words at the right. Words alone are wrapped, at most ``MOST_LINES``
+    lines."""
 
     def __init__(self, row: SideRow, tokens: Tokens) -> None:
         self.row = row
         leads = bool(row.address or row.line)
         tip = "\n".join(filter(None, (row.words, row.right)))
         super().__init__(tokens, f"{row.words} {row.right}".strip(), tip, leads)
+        self._left = 36 if row.icon or row.mark else 14
+        policy = self.sizePolicy()
+        if not row.right:
+            policy.setVerticalPolicy(QSizePolicy.Policy.Minimum)
+            policy.setHeightForWidth(True)
+        self.setSizePolicy(policy)
 
     def sizeHint(self) -> QSize:
-        """One line."""
+        """One line; the layout asks for more if the words need them."""
         return QSize(120, LOW)
+
+    def heightForWidth(self, width: int) -> int:
+        """The height that the words need."""
+        if self.row.right:
+            return LOW
+        room = QRectF(0, 0, width - self._left - 14, 1000)
+        flags = Qt.TextFlag.TextWordWrap.value
+        high = QFontMetricsF(text_font()).boundingRect(room, flags, plain_text(self.row.words))
+        lines = max(1, min(MOST_LINES, round(high.height() / LINE_HIGH)))
+        return LOW + (lines - 1) * LINE_HIGH
 
     def paintEvent(self, event: QPaintEvent) -> None:
         """Paint the row."""
         painter, tokens, row = QPainter(self), self.tokens, self.row
         self.paint_ground(painter)
-        left, high = 14.0, float(self.height())
         icon = row.icon or (MARKS[row.mark] if row.mark else "")
         if icon:
             colour = mark_colour(row.mark, tokens)
-            draw(painter, icon, QRectF(left, high / 2 - 7, 14, 14), colour, tokens.surf)
-            left += 22
-        inner = QRectF(left, 0, self.width() - left - 14, high)
+            draw(painter, icon, QRectF(14, LOW / 2 - 7, 14, 14), colour, tokens.surf)
+        inner = QRectF(self._left, 0, self.width() - self._left - 14, LOW)
         if row.right:
             room = inner.adjusted(inner.width() * 0.4, 0, 0, 0)
             wide = paint_text(painter, room, row.right, TextInk(tokens.tx2, 12), right=True)
             inner.setRight(inner.right() - wide - 10)
-        paint_text(painter, inner, row.words, TextInk(tokens.tx))
+        if self.height() <= LOW:
+            paint_text(painter, inner, row.words, TextInk(tokens.tx))
+        else:
+            painter.setFont(text_font())
+            painter.setPen(tokens.tx)
+            inner.setRect(inner.left(), 5, inner.width(), self.height() - 8)
+            flags = Qt.TextFlag.TextWordWrap.value | Qt.AlignmentFlag.AlignTop.value
+            painter.drawText(inner, flags, plain_text(row.words))
         painter.end()
 
 
