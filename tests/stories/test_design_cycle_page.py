@@ -4,14 +4,18 @@ from __future__ import annotations
 
 import threading
 from dataclasses import replace
+from functools import cache
 from http.server import BaseHTTPRequestHandler, HTTPServer
 from pathlib import Path
 
 import pytest
 
+from smsl_studio.front import generated_text
 from smsl_studio.front.design import stages
 from smsl_studio.front.design.cycle import DesignCycle
 from smsl_studio.front.design.notes import read_notes, write_notes
+from smsl_studio.host.plugin_offers import describe
+from smsl_studio.library.loaded import Loaded
 from smsl_studio.studio.features.design import request_dialog
 from smsl_studio.studio.features.design.page import CyclePage
 from smsl_studio.studio.features.design.request_dialog import (
@@ -72,6 +76,12 @@ class AtCycle:
         return [row.text() if hasattr(row, "text") else "" for row in self.page.side.rows]
 
 
+@cache
+def _offers() -> Loaded:
+    """What plugins offer: asked once for all stories, because each time takes a process."""
+    return describe()
+
+
 @pytest.fixture
 def lamp(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """A text, which whoever is asked for a file gives as the answer."""
@@ -79,6 +89,7 @@ def lamp(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     text.write_text(LAMP, "utf-8")
     asked = FileQuestions(lambda *_: str(text), lambda *_: str(tmp_path / "answers"), lambda *_: "")
     defaults = (*(request_dialog.RequestDialog.__init__.__defaults__ or ())[:-1], asked)
+    monkeypatch.setattr(generated_text, "describe", _offers)
     monkeypatch.setattr(request_dialog.RequestDialog.__init__, "__defaults__", defaults)
     return text
 
