@@ -17,13 +17,16 @@ import pytest
 from smsl_studio import front
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.blueprint.reading import read_blueprint
+from smsl_studio.dispatch.drive.generation import Generation
 from smsl_studio.errors import UsageError
-from smsl_studio.front import edge_sources
+from smsl_studio.front import edge_proposer, edge_sources
 from smsl_studio.front.inputs import read
 from smsl_studio.front.logs import verify_stream
+from smsl_studio.front.recordings import open_recording
 from smsl_studio.front.runs import Run
 from smsl_studio.front.script.lines import script_of
 from smsl_studio.front.verifier import told_again
+from smsl_studio.library.prediction import Prediction
 from smsl_studio.runlog.events import EdgeGenerated, Event, ForecastTold, Held, TaskOpened
 from smsl_studio.shipped import samples_dir
 from smsl_studio.smsl.json_form import parse_json
@@ -87,6 +90,9 @@ def test_the_reader_finds_an_operation_that_a_person_allows(tmp_path: Path) -> N
     assert lines(ran(blueprint, ALLOW, host="process")) == lines(done)
     raw = log.read_bytes()
     assert verify_stream(io.BytesIO(raw), "log", blueprint).doubt is None
+    seen = open_recording(log, blueprint)
+    assert seen.blueprint["SB1"].table["State_aa"] == {"Op_1b": "State_ba"}
+    assert not seen.differs
     assert "Op_1b" not in blueprint["SB1"].table["State_aa"]
 
 
@@ -192,11 +198,15 @@ def test_by_hand_and_kept_answers(tmp_path: Path) -> None:
             ran(blueprint, generate=name)
 
 
-def test_people_keep_what_they_shut_out() -> None:
+def test_people_keep_what_they_shut_out(tmp_path: Path) -> None:
     whole = read(samples_dir() / "hanoi-2.json")
     shut = [f"SB1/State_aa/Op_1{peg}" for peg in "bc"]
     done = ran(whole, ALLOW, avoid=shut)
     assert all(one.address not in shut for one in told(done, EdgeGenerated))
+    again = answers(tmp_path, {**EDGE, "edge": shut[0]})
+    assert (
+        "it is avoided" in told(ran(whole, ALLOW, avoid=shut, generate=again), Held)[-1].details[0]
+    )
     pruned = {"do": "prune", "reason": "no", "by": "Bo"}
     acts = [{"when": "SB1/State_aa", **pruned, "address": one} for one in shut]
     assert all(one.address not in shut for one in told(ran(whole, *acts, ALLOW), EdgeGenerated))
@@ -330,6 +340,47 @@ def test_forged_stories_with_a_generated_edge(tmp_path: Path) -> None:
             story = Story.of(log.read_bytes())
             forge(story)
             assert not _believed(story, blueprint)
+
+
+def test_logs_of_runs_that_left_a_check_out(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Each is consistent but for one rule, so this rule alone refuses it."""
+
+    def dangerous(values: Json) -> None:
+        cut(values)
+        values["_hazards"] = HAZARD
+
+    hazard, plain = changed("hanoi-2", dangerous), changed("hanoi-2", cut)
+    with monkeypatch.context() as patched:
+        patched.setattr(edge_proposer, "first_met", lambda *_: None)
+        patched.setattr(edge_proposer.RunProposer, "_leads", lambda *_: True)
+        patched.setattr(edge_proposer.RunProposer, "_foresee", lambda *_: Prediction("agrees"))
+        patched.setattr(Generation, "_objection", lambda *_: "")
+        first = tmp_path / "hazard.jsonl"
+        assert told(ran(hazard, ALLOW, generate=answers(tmp_path, EDGE), log=first), EdgeGenerated)
+    with monkeypatch.context() as patched:
+        patched.setattr(edge_proposer.RunProposer, "_misfit", lambda *_: "")
+        patched.setattr(edge_proposer, "_new_findings", lambda *_: [])
+        odd = {**EDGE, "edge": "SB1/State_aa/Op_1c"}
+        second = tmp_path / "odd.jsonl"
+        done = ran(plain, ALLOW, generate=answers(tmp_path, odd), log=second)
+        assert done.reason == "goal_reached"
+    assert not _believed(Story.of(first.read_bytes()), hazard)
+    assert not _believed(Story.of(second.read_bytes()), plain)
+    # The same event about an edge that is drawn.
+    whole, third, fourth = read(samples_dir() / "hanoi-2.json"), *map(tmp_path.joinpath, "ab")
+    ran(whole, ALLOW, log=third)
+    ran(plain, ALLOW, log=fourth)
+    drawn, made = (Story.of(log.read_bytes()) for log in (third, fourth))
+    words = [one["event"] for one in made.events]
+    block = made.events[words.index("task_opened") : words.index("edge_generated") + 1]
+    at = next(n for n, one in enumerate(drawn.events) if one["event"] == "route_planned")
+    assert _believed(drawn, whole)
+    drawn.events[at:at] = block[:-1]
+    assert _believed(drawn, whole)
+    drawn.events.insert(at + len(block) - 1, block[-1])
+    assert not _believed(drawn, whole)
 
 
 def test_no_forged_story_takes_an_edge_that_nobody_allowed(tmp_path: Path) -> None:
