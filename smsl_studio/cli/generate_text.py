@@ -47,6 +47,8 @@ def generate_of_text(options: argparse.Namespace, out: Output) -> int:
         hardware=options.hardware,
         require=options.require,
     )
+    for sentence in made.left_out:
+        note(one_line(f"left out: {sentence}"))
     for sentence, advice in made.lacking:
         note(one_line(sentence))
         if advice:
@@ -94,6 +96,7 @@ def _as_json(made: GeneratedText) -> dict[str, object]:
         "functions": list(made.functions),
         "missing": list(made.missing),
         "uncited": list(made.uncited),
+        "left_out": list(made.left_out),
         "doubts": list(made.doubts),
         "requirements": [one.as_json() for one in made.requirements],
         "lacking": [sentence for sentence, _ in made.lacking],

@@ -6,6 +6,7 @@ import json
 import os
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from itertools import pairwise
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -24,6 +25,8 @@ from smsl_studio.generate.text.requirements import (
     read_requirements,
     verdicts_of,
 )
+from smsl_studio.generate.text.source_folder import ChosenSources, chosen_sources
+from smsl_studio.generate.text.text_folder import read_folder
 from smsl_studio.host.plugin_offers import describe
 from smsl_studio.inspection.rules.sources import uncited
 from smsl_studio.library.manifest import MANIFEST
@@ -60,6 +63,8 @@ class GeneratedText:
     functions: tuple[str, ...] = ()
     """The operations that no library offers; their functions wait in ``rmm``."""
     requirements: tuple[RequirementVerdict, ...] = ()
+    left_out: tuple[str, ...] = ()
+    """Sentences about what of a folder of sources was left out."""
 
     @property
     def is_good(self) -> bool:
@@ -79,7 +84,9 @@ def generate_text(
 ) -> GeneratedText:
     """Make a blueprint of expert texts, and write it to ``output`` with what each stage gave.
 
-    A blueprint in the place of the texts goes to the last stage at once: its missing functions.
+    A blueprint in the place of the texts goes to the last stage at once: its missing functions. A
+    folder among ``files`` is searched for passages that fit; where nothing else is named, its best
+    text with steps is the procedure.
 
     ``pm.md``, ``him.toml``, ``psm.json``, ``rmm/`` and ``answers.json`` stand in the folder of
     ``output``. ReadError for a text that cannot be read or has no steps. UsageError for an unknown
@@ -91,7 +98,8 @@ def generate_text(
     (True, ['LAMP'])
     """
     drawn = _drawn(files)
-    texts = _texts(files) if drawn is None else []
+    target = _target(Path(output))
+    sources = _sources(files, target) if drawn is None else None
     listed = _texts([hardware]) if hardware is not None else []
     folder = Path(by_hand) if by_hand is not None else None
     if folder is not None and provider not in (None, BY_HAND):
@@ -103,11 +111,12 @@ def generate_text(
     if require is not None:
         wanted = read_requirements(read_content(require).raw, os.fspath(require))
     answers = provider_named(provider, folder)
-    if drawn is None:
-        reached = run_chain(texts, listed, answers, describe())
+    if sources is not None:
+        chosen = sources.chosen
+        reached = run_chain(chosen.procedure, listed, answers, describe(), chosen.passages)
     else:
+        assert drawn is not None
         reached = run_functions(drawn, answers, describe())
-    target = _target(Path(output))
     verdicts: tuple[RequirementVerdict, ...] = ()
     if wanted is not None and reached.blueprint is not None:
         texts_made = {name: text for name, text in reached.files.items() if name != KEPT}
@@ -115,9 +124,11 @@ def generate_text(
         verdicts = verdicts_of(wanted, values, texts_made, _proved)
         told = [one.as_json() for one in verdicts]
         reached.files[REQUIREMENTS] = f"{json.dumps(told, ensure_ascii=False, indent=1)}\n"
-    inputs = [one for one in (*files, hardware, require) if one is not None]
+    given = [one for one in (*files, hardware, require) if one is not None]
+    inputs = [one for one in given if not Path(one).is_dir()]
     written = _write(reached, target, folder, inputs)
-    return replace(_told(reached, written), requirements=verdicts)
+    left_out = tuple(sources.left_out) if sources is not None else ()
+    return replace(_told(reached, written), requirements=verdicts, left_out=left_out)
 
 
 def _proved(blueprint: Blueprint) -> dict[str, tuple[str, str]]:
@@ -147,16 +158,48 @@ def _drawn(files: Sequence[Name]) -> Blueprint | None:
     return read(named[0])
 
 
+@dataclass(frozen=True)
+class _Sources:
+    """What a blueprint is made of, and sentences about what of a folder was left out."""
+
+    chosen: ChosenSources
+    left_out: Sequence[str] = ()
+
+
+def _sources(files: Sequence[Name], target: Path) -> _Sources:
+    """Read the texts, and search the folders among them. UsageError if what is made would lie in a
+    folder that is searched."""
+    folders = [Path(one) for one in files if Path(one).is_dir()]
+    named = _texts([one for one in files if not Path(one).is_dir()])
+    if not folders:
+        return _Sources(ChosenSources(tuple(named), ()))
+    found, left_out = [], []
+    for folder in folders:
+        if target.parent.resolve().is_relative_to(folder.resolve()):
+            words = f"{target.parent} lies in {folder}, which is searched"
+            raise UsageError(words, advice="Write to another folder with -o.")
+        read_one = read_folder(folder)
+        found += read_one.texts
+        left_out += read_one.left_out
+    _refuse_twice([*named, *found])
+    wanted = [target.stem.replace("_", " "), *(folder.name for folder in folders)]
+    return _Sources(chosen_sources(named, found, wanted), left_out)
+
+
 def _texts(files: Sequence[Name]) -> list[ExpertText]:
     texts = [text_at(file) for file in files]
-    names = [text.file for text in texts]
-    twice = next((name for name in names if names.count(name) > 1), None)
+    _refuse_twice(texts)
+    return texts
+
+
+def _refuse_twice(texts: Sequence[ExpertText]) -> None:
+    names = sorted(text.file for text in texts)
+    twice = next((one for one, two in pairwise(names) if one == two), None)
     if twice is not None:
         raise UsageError(
             f"two texts are called {twice}, so a citation could not name one",
             advice="Give one of them another name.",
         )
-    return texts
 
 
 def _target(output: Path) -> Path:

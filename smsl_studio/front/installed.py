@@ -53,7 +53,7 @@ def allow_generated(waiting: GeneratedProposal, read: str) -> FoundPlugin:
     ``read`` is the SHA-256 of what was read (``waiting.digest``), or its beginning. UsageError for
     another, PluginError for code that reaches out of its world, SaveError if it cannot be written.
     """
-    return allow(waiting.install(read))
+    return allow(waiting.install(read), read=True)
 
 
 def forbid_plugin(name: str) -> FoundPlugin:

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from smsl_studio.errors import PluginError
 from smsl_studio.library.decisions import PluginDecision, decide
 from smsl_studio.library.survey import USER, FoundPlugin, PluginState
 
 
-def allow(found: FoundPlugin) -> FoundPlugin:
-    """Allow a plugin to be loaded.
+def allow(found: FoundPlugin, *, read: bool = False) -> FoundPlugin:
+    """Allow a plugin to be loaded. Generated functions must have been ``read`` as a difference.
 
     For a plugin in the user's folder this holds only for the files that were found: changed files
     need a new decision. PluginError if the plugin cannot be loaded at all. SaveError if the
@@ -17,6 +18,11 @@ def allow(found: FoundPlugin) -> FoundPlugin:
     """
     if found.error is not None:
         raise found.error
+    if found.is_generated and not read:
+        raise PluginError(
+            f"{found.name} holds generated functions, and nobody has read this difference",
+            advice="Read them where they were made: smsl-studio plugins allow FOLDER",
+        )
     decision = PluginDecision(
         location=found.location, name=found.name, decision="allowed", digest=found.digest
     )

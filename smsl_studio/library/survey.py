@@ -87,7 +87,7 @@ class FoundPlugin:
     @property
     def reason(self) -> str:
         """The reason why it is not loaded, with an advice. It is empty for an allowed plugin."""
-        allow = f"smsl-studio plugins allow {self.name}"
+        allow = f"smsl-studio plugins allow {'FOLDER' if self.is_generated else self.name}"
         return {
             PluginState.ALLOWED: "",
             PluginState.FAULTY: str(self.error),

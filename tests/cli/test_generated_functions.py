@@ -162,6 +162,13 @@ def test_a_missing_function_is_asked_read_allowed_swept_and_offered(
     assert "CUP/Op_heat: offered in kitchen" in shell("plugins").out
     same = shell("plugins", "allow", str(kitchen.rmm))
     assert same.out == "rmm_cup: allowed, nothing has changed\n"
+    copy = home / "plugins" / "rmm_cup" / "CUP.Op_heat.py"
+    kept = copy.read_text()
+    copy.write_text(f"{kept}    yield\n")
+    unread = shell("plugins", "allow", "rmm_cup")
+    assert (unread.status, "nobody has read this difference" in unread.err) == (2, True)
+    assert "its files have changed since it was allowed" in shell("plugins").out
+    copy.write_text(kept)
     alone = kitchen.ran("--host", "local")
     assert alone.lines[-1]["reason"] == "no_route"
     assert "run in a process of their own alone" in alone.err

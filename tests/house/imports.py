@@ -66,6 +66,7 @@ HOMES: dict[str, tuple[str, ...]] = {
     "jinja2": ("generate/code/templates.py",),
     "networkx": ("graph/exchange.py",),
     "scipy": ("graph/",),
+    "bm25s": ("generate/text/passages.py",),
     "pypdf": ("generate/text/pdf_child.py",),
     "paho": ("monitor/mqtt.py",),
     "cryptography": ("seal/",),

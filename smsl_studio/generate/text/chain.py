@@ -23,6 +23,7 @@ from smsl_studio.generate.text.equipment import NeededEquipment, PluginOffer, eq
 from smsl_studio.generate.text.expert_text import ExpertText, digest_of_texts
 from smsl_studio.generate.text.functions import Functions, function_files, needed_functions
 from smsl_studio.generate.text.kept_answers import AnsweredQuestion, kept_page
+from smsl_studio.generate.text.passages import Passage
 from smsl_studio.generate.text.prompts import FILES, HIM, PM, PSM, RMM
 from smsl_studio.generate.text.provider import (
     Matter,
@@ -75,14 +76,17 @@ def run_chain(
     hardware: Sequence[ExpertText],
     provider: StageProvider,
     loaded: Loaded,
+    passages: Sequence[Passage] = (),
 ) -> TextChain:
-    """Ask for all stages. What was reached is returned, also if a stage has no answer."""
-    return _Chain(Matter(texts, hardware, _offers(loaded)), provider, loaded).run()
+    """Ask for all stages. What was reached is returned, also if a stage has no answer. ``passages``
+    are what other texts say about the procedure; they may be cited, too."""
+    matter = Matter(texts, hardware, passages, _offers(loaded))
+    return _Chain(matter, provider, loaded).run()
 
 
 def run_functions(blueprint: Blueprint, provider: StageProvider, loaded: Loaded) -> TextChain:
     """Ask for the functions of a blueprint that is there already (stage RMM alone)."""
-    matter = Matter((), (), _offers(loaded))
+    matter = Matter((), offers=_offers(loaded))
     return _Chain(matter, provider, loaded).run_functions(blueprint)
 
 
@@ -168,7 +172,7 @@ class _Chain:
 
     def _kept(self) -> TextChain:
         matter = self._matter
-        self._reached.files[KEPT] = kept_page(self._answered, matter.texts, matter.hardware)
+        self._reached.files[KEPT] = kept_page(self._answered, matter.sources, matter.hardware)
         return self._reached
 
     def _steps(self, by_file: bool) -> None:
@@ -180,11 +184,11 @@ class _Chain:
             faults = [*procedures.faults_of(found), *unknown_numbers(told)]
             for step in procedures.every_step(found.steps):
                 cited = [*step.sources, *(one for r in step.remedies for one in r.sources)]
-                wrong = uncited_faults(cited, matter.texts)
+                wrong = uncited_faults(cited, matter.sources)
                 faults += [f"step {step.mark}: {words}" for words in wrong]
             return _sound(found, faults)
 
-        found = self._asked(PM, prompts.pm_prompt(matter.texts, by_file), check)
+        found = self._asked(PM, prompts.pm_prompt(matter, by_file), check)
         matter.procedure = self._reached.procedure = found
         self._reached.files[FILES[PM]] = step_page(found, self._origin())
 
@@ -196,18 +200,18 @@ class _Chain:
             faults = equipments.faults_of(found)
             cited = [source for one in found.devices for source in one.sources]
             cited += [source for one in found.needs for source in one.sources]
-            faults += uncited_faults(cited, (*matter.texts, *matter.hardware))
+            faults += uncited_faults(cited, (*matter.sources, *matter.hardware))
             return _sound(found, faults)
 
-        prompt = prompts.him_prompt(matter.texts, matter.hardware, matter.offers, by_file)
+        prompt = prompts.him_prompt(matter, by_file)
         found = self._asked(HIM, prompt, check)
         matter.equipment = self._reached.equipment = found
         self._reached.files[FILES[HIM]] = equipment_page(found, matter.offers, self._origin())
 
     def _blueprint(self, by_file: bool) -> None:
         matter, files = self._matter, self._reached.files
-        texts = (*matter.texts, *matter.hardware)
-        prompt = prompts.psm_prompt(matter.texts, files[FILES[PM]], files[FILES[HIM]], by_file)
+        texts = (*matter.sources, *matter.hardware)
+        prompt = prompts.psm_prompt(matter, files[FILES[PM]], files[FILES[HIM]], by_file)
         values = self._asked(PSM, prompt, lambda text: blueprint_of_answer(json_of(text), texts)[1])
         names = ", ".join(one.file for one in matter.texts)
         origin = {

@@ -77,9 +77,10 @@ class ExpertText:
         return bool(citation.words) and " ".join(citation.words.split()) in line
 
 
-def read_text(raw: bytes, file: str) -> ExpertText:
-    """Return the text in the bytes of a file. ReadError if they are no text, or too many."""
-    name, place = PurePath(file).name, Place(file, 1, 1)
+def read_text(raw: bytes, file: str, called: str = "") -> ExpertText:
+    """Return the text in the bytes of a file. ReadError if they are no text, or too many. Citations
+    name it as it is ``called``, or else by the name of the file."""
+    name, place = called or PurePath(file).name, Place(file, 1, 1)
     if name.lower().endswith(".pdf"):
         pages = pages_of(raw, file)
     else:
@@ -102,8 +103,9 @@ def read_text(raw: bytes, file: str) -> ExpertText:
     return ExpertText(name, tuple(lines), sha256_hex(raw))
 
 
-def text_at(path: str | os.PathLike[str]) -> ExpertText:
-    """Return the text in a file. ReadError if it cannot be read."""
+def text_at(path: str | os.PathLike[str], called: str = "") -> ExpertText:
+    """Return the text in a file. ReadError if it cannot be read. ``called`` is as in
+    ``read_text``."""
     file = os.fspath(path)
     most = LARGEST_PDF if file.lower().endswith(".pdf") else LARGEST_TEXT
     try:
@@ -121,7 +123,7 @@ def text_at(path: str | os.PathLike[str]) -> ExpertText:
             Place(file, 1, 1),
             "Give the part that describes the procedure.",
         )
-    return read_text(raw, file)
+    return read_text(raw, file, called)
 
 
 def cited(texts: Iterable[ExpertText], citation: Citation) -> bool:

@@ -9,6 +9,7 @@ from typing import Any, Protocol
 from smsl_studio.generate.text.equipment import NeededEquipment, PluginOffer
 from smsl_studio.generate.text.expert_text import ExpertText
 from smsl_studio.generate.text.functions import NeededFunction
+from smsl_studio.generate.text.passages import Passage
 from smsl_studio.generate.text.steps import TextProcedure
 
 Json = Any
@@ -20,6 +21,8 @@ class Matter:
 
     texts: Sequence[ExpertText]
     hardware: Sequence[ExpertText] = ()
+    passages: Sequence[Passage] = ()
+    """What other texts say about the procedure."""
     offers: Sequence[PluginOffer] = ()
     procedure: TextProcedure | None = None
     equipment: NeededEquipment | None = None
@@ -27,6 +30,12 @@ class Matter:
     """The operations without a function."""
     names: Mapping[str, str] = field(default_factory=dict)
     """The names of their files."""
+
+    @property
+    def sources(self) -> tuple[ExpertText, ...]:
+        """The texts that may be cited, without those of the hardware."""
+        others = {one.text.file: one.text for one in self.passages}
+        return (*self.texts, *others.values())
 
 
 @dataclass(frozen=True)

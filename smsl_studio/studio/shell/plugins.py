@@ -83,7 +83,8 @@ class Plugins(QObject):
         """
         for found in self.loaded.waiting:
             key = found.location, found.digest
-            if not found.is_forbidden and key not in self._asked:
+            # Generated functions are read on the page Design cycle, as a difference.
+            if not (found.is_forbidden or found.is_generated or key in self._asked):
                 self._asked.add(key)
                 return found
         return None
