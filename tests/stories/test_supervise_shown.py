@@ -207,6 +207,11 @@ def test_the_large_layout_has_few_words_and_is_remembered(sit: Sit) -> None:
     seen.restore("Partial view,Text,Scene")
     at.pane.refresh()
     at.person.until(lambda: at.pane.scene.isVisible() and at.pane.board.cards[0].isVisible())
+    low, wide = at.pane.text.height(), at.pane.board.width()
+    at.person.window.resize(1920, 1080)
+    at.person.until(lambda: at.pane.text.height() > low + 60 and at.pane.board.width() > wide + 60)
+    at.person.window.resize(1280, 800)
+    at.person.until(lambda: at.pane.text.height() < low + 3 and at.pane.board.width() < wide + 3)
     parts = at.pane.board, at.pane.text, at.pane.scene
     sizes = [one.size() for one in parts]
     at.press(Key.Key_W)

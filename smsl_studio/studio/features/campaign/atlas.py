@@ -45,6 +45,8 @@ from smsl_studio.studio.features.campaign.marks import (
 
 ROW, TOTALS, HEAD = 24, 46, 44
 NAME, COLUMN, SHARE = 240, 74, 176
+LEAST = 172, 70, 124
+"""The same where the page has less room (pixels)."""
 ALL_EDGES, UNDISTURBED = "All operations", "No fault"
 Index = QModelIndex | QPersistentModelIndex
 
@@ -128,7 +130,7 @@ class AtlasModel(QAbstractTableModel):
         if section == 0:
             return "Operation, from and to"
         if section == self.columnCount() - 1:
-            return "Reached the goal\n0 to 100 %, 95 % interval"
+            return "Reached 0–100 %\n95 % interval"
         return self.fault(section).replace(" ", "\n", 1)
 
     def data(self, index: Index, role: int = 0) -> object:
@@ -362,13 +364,16 @@ class AtlasTable(QTableView):
             return
         header = self.horizontalHeader()
         faults = count - 2
-        room = self.viewport().width() - NAME - SHARE
-        cell = max(COLUMN, min(room // max(faults, 1), 2 * COLUMN))
+        wide = self.viewport().width()
+        usual = NAME, COLUMN, SHARE
+        name, least, share = usual if wide >= NAME + COLUMN * faults + SHARE else LEAST
+        room = wide - name - share
+        cell = max(least, min(room // max(faults, 1), 2 * COLUMN))
         spare = max(0, room - cell * faults)
-        header.resizeSection(0, NAME + spare // 2)
+        header.resizeSection(0, name + spare // 2)
         for column in range(1, faults + 1):
             header.resizeSection(column, cell)
-        header.resizeSection(count - 1, SHARE + spare - spare // 2)
+        header.resizeSection(count - 1, share + spare - spare // 2)
 
     def _tell(self) -> None:
         self.cell_chosen.emit(self.chosen)

@@ -41,9 +41,10 @@ def paint_counts(painter: QPainter, box: QRectF, counts: Mapping[str, int], toke
     needs = {kind: 19.0 + metrics.horizontalAdvance(f"{n:,}") for kind, n in told.items()}
     spare = max(box.width() - sum(needs.values()), 0.0)
     left = box.left()
-    for at, (kind, number) in enumerate(told.items()):
+    most = max(told, key=lambda kind: told[kind], default="")
+    for kind, number in told.items():
         ink, ground = inks(kind, tokens)
-        wide = needs[kind] + (spare if at == 0 else 0.0)
+        wide = needs[kind] + (spare if kind == most else 0.0)
         part = QRectF(left, box.top(), min(wide, box.right() - left), box.height())
         painter.setPen(QPen(ink, 1))
         painter.setBrush(ground)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from smsl_studio.front.recordings import Recording
@@ -27,6 +28,7 @@ class RunStory(QWidget):
         self.title, self.seen = label("", "heading"), Elided()
         self.words = label("", "small")
         self.words.setWordWrap(True)
+        self.words.setAlignment(Qt.AlignmentFlag.AlignTop | Qt.AlignmentFlag.AlignLeft)
         self.timeline = Timeline(tokens)
         self.events = RowsView(tokens, margin=4)
         self.events.setFrameShape(RowsView.Shape.NoFrame)

@@ -139,13 +139,13 @@ class CampaignSide(QWidget):
         self.replay.setToolTip(
             tip_text("Carry this very run out again with its seed and its fault, and show it")
         )
-        self.foreseen = Elided()
+        self.foreseen = label("", "small")
+        self.foreseen.setWordWrap(True)
         self.finding = QPushButton("Open as finding")
         self.finding.setToolTip(
             tip_text("Write a note at the state where the operation begins, and show it in Draw")
         )
         self.finding.clicked.connect(self.finding_wanted)
-        self.foreseen.setProperty("role", "small")
         self.after.setToolTip("So many reached the goal after something went wrong")
         self.told = label("", "small")
         self.told.setWordWrap(True)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtGui import QAction, QResizeEvent
@@ -86,6 +86,10 @@ class SeenParts(QWidget):
         self.larger = self.menu.addAction("Large, for two metres")
         self.larger.setCheckable(True)
         self.larger.triggered.connect(self.large_wanted)
+        self._moved: set[str] = set()
+        """The parts to which a person has given other room."""
+        self._left.splitterMoved.connect(lambda *_: self._moved.add(TEXT))
+        self._whole.splitterMoved.connect(lambda *_: self._moved.add(SCENE))
         self._frames = QTimer(self)
         self._frames.setInterval(FRAME)
         self._frames.timeout.connect(self._draw)
@@ -157,16 +161,21 @@ class SeenParts(QWidget):
         self._left.setVisible(GRAPH in shown or TEXT in shown)
         if self.parentWidget() is not None:
             self.setVisible(bool(shown))
-        if TEXT in changed and TEXT in shown:
+        self._give_room(changed)
+        if changed:
+            self.turned.emit()
+
+    def _give_room(self, parts: Sequence[str]) -> None:
+        """Give these of the parts their designed room, as far as they are shown."""
+        shown = self.shown
+        if TEXT in parts and TEXT in shown:
             # In a low page the board keeps the height in which states stand above each other.
             text = min(LEAST + max(self.height() - LOW, 0) * 2 // 5, TEXT_HEIGHT)
             self._left.setSizes([max(self.height() - text, TALL + HIGH), text])
-        if SCENE in changed and SCENE in shown:
+        if SCENE in parts and SCENE in shown:
             # On a wide screen names of operations get room, too.
             graph = max(GRAPH_WIDTH, self.width() * 36 // 100)
             self._whole.setSizes([graph, max(self.width() - graph, 240)])
-        if changed:
-            self.turned.emit()
 
     def tear_off(self) -> None:
         """Show the partial view in a window of its own, which can stand on another screen."""
@@ -224,9 +233,11 @@ class SeenParts(QWidget):
             self._draw()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Show what fits."""
+        """Show what fits. What a person has not moved gets its room in the new size."""
         super().resizeEvent(event)
         self.fit()
+        if event.size() != event.oldSize() and not self._large:
+            self._give_room([name for name in (TEXT, SCENE) if name not in self._moved])
 
     def _choose(self, name: str, on: bool) -> None:
         shown = set(self.shown)
