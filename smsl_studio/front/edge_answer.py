@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import json
 from collections.abc import Mapping, Sequence
 from typing import Annotated
@@ -9,6 +10,7 @@ from typing import Annotated
 from pydantic import BaseModel, ConfigDict, Field, StringConstraints
 
 from smsl_studio.blueprint.hazards import guard_hazards
+from smsl_studio.blueprint.model import StateBranch
 from smsl_studio.dispatch.drive.generation import WayQuestion
 from smsl_studio.generate.text.answers import fitted, json_of
 
@@ -16,6 +18,8 @@ STAGE = "edges"
 LONGEST = 100_000
 """The largest number of characters of an answer."""
 MOST_EDGES = 16
+EXAMPLES = 3
+"""So many edges are told of each operation."""
 LONGEST_MATTER = 100_000
 """At most so many characters of the states stand in a prompt."""
 Short = Annotated[str, StringConstraints(max_length=500)]
@@ -45,6 +49,12 @@ class EdgeAnswer(BaseModel):
     edges: Annotated[tuple[ProposedEdge, ...], Field(max_length=MOST_EDGES)]
 
 
+def _elsewhere(branch: StateBranch, name: str) -> str:
+    """Return some of the places where the blueprint has an operation of this name."""
+    edges = (f"{state} to {row[name]}" for state, row in branch.table.items() if name in row)
+    return ", ".join(itertools.islice(edges, EXAMPLES)) or "nowhere"
+
+
 def read_answer(text: str) -> tuple[ProposedEdge, ...]:
     """Return the edges of an answer. AnswerFault if it does not fit."""
     return fitted(EdgeAnswer, json_of(text, LONGEST)).edges
@@ -66,6 +76,7 @@ def prompt_of(question: WayQuestion, names: Mapping[str, Sequence[str]]) -> str:
         lines += [
             f"{branch} stands in {state}; drawn from there: {there or 'nothing'}",
             f"library operations of {branch}: {', '.join(names.get(branch, ())) or 'none'}",
+            *(f"{name} elsewhere: {_elsewhere(own, name)}" for name in names.get(branch, ())),
         ]
     lines.append(f"goals: {', '.join(map(str, question.goals))}")
     for edge, why in question.shut.items():

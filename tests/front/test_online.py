@@ -104,7 +104,7 @@ def test_without_the_option_a_run_holds_as_before() -> None:
     # With it, and nobody there: it holds too, and says what was proposed.
     alone = ran(blueprint)
     assert alone.reason == "no_route"
-    assert "nobody is there to answer" in told(alone, Held)[-1].details[0]
+    assert "nobody is there to allow it" in told(alone, Held)[-1].details[0]
     assert told(alone, EdgeGenerated) == []
     # A run that has a way is not changed by it.
     whole = read(samples_dir() / "hanoi-2.json")
@@ -184,7 +184,7 @@ def test_by_hand_and_kept_answers(tmp_path: Path) -> None:
     assert asked.reason == "no_route"
     prompt = (tmp_path / "edges-1.prompt.md").read_text("utf-8")
     assert "SB1 stands in State_aa" in prompt
-    assert "Op_1b" in prompt
+    assert "Op_1b elsewhere: State_ca to State_ba" in prompt
     log = tmp_path / "run.jsonl"
     done = ran(blueprint, ALLOW, generate=answers(tmp_path, EDGE), log=log)
     assert done.reason == "goal_reached"

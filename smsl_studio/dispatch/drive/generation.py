@@ -161,9 +161,9 @@ class Generation:
         for one in answer.proposals:
             no = self._refused.get((one.edge, one.target)) or self._objection(one)
             if not no:
-                no = self._show(one)
-                if not no:
+                if self._show(one):
                     return None
+                no = "nobody is there to allow it"
             told.append(f"{one.edge}: {one.provider} proposes it to {one.target}, but {no}")
         if not told:
             told = [f"{self.proposer.name} proposes nothing"]
@@ -238,9 +238,9 @@ class Generation:
                 return f"it meets the hazard {hazard.name}"
         return ""
 
-    def _show(self, one: EdgeProposal) -> str:
-        """Tell the forecast of a proposal and ask people about it. Return why nobody can be asked,
-        if so.
+    def _show(self, one: EdgeProposal) -> bool:
+        """Tell the forecast of a proposal and ask people about it. Return whether anybody is
+        there.
         """
         run, asked, now = self._run, one.forecast, sensed_values(self._run.senses.scene)
         question = generate_task(one.edge, one.target, one.provider, one.detail)
@@ -255,10 +255,11 @@ class Generation:
         )
         mark = run.mark
         nobody = self._desk.ask([question], partial(self._decided, one))
-        if not nobody:
-            run.tell_before(mark, told)
-            self._shown = one
-        return nobody
+        if nobody:
+            return False
+        run.tell_before(mark, told)
+        self._shown = one
+        return True
 
     def _decided(self, one: EdgeProposal, closed: tuple[Closed, ...]) -> None:
         """Let a proposal count if a person has allowed it. Otherwise it is not shown again."""
