@@ -74,7 +74,9 @@ def generate_of_text(options: argparse.Namespace, out: Output) -> int:
         output = Path(options.output)
         whole = output.is_dir() or not output.suffix
         rmm = (output if whole else output.parent) / "rmm"
-        note(f"{len(made.functions):,} operations have no function; what there is waits in {rmm}")
+        many = len(made.functions)
+        what = "1 operation has" if many == 1 else f"{many:,} operations have"
+        note(f"{what} no function; what there is waits in {rmm}")
         note(f"To read it: smsl-studio plugins allow {rmm}")
     if made.people:
         note(f"people are asked; {PEOPLE} answers for them in a trial: run --script {PEOPLE}")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
 from pathlib import Path
@@ -16,13 +16,15 @@ from smsl_studio.front.inputs import read
 from smsl_studio.generate.text.chain import KEPT, TextChain, run_chain, run_functions
 from smsl_studio.generate.text.expert_text import ExpertText, text_at
 from smsl_studio.generate.text.functions import functions_manifest
+from smsl_studio.generate.text.language_words import is_foreign
 from smsl_studio.generate.text.people_script import people_script
 from smsl_studio.generate.text.prompts import FILES, PSM, RMM
-from smsl_studio.generate.text.providers import BY_HAND, provider_named
+from smsl_studio.generate.text.providers import BY_HAND, READER, provider_named
 from smsl_studio.generate.text.requirements import (
     HOLDS,
     RequirementVerdict,
     read_requirements,
+    unanswered,
     verdicts_of,
 )
 from smsl_studio.generate.text.source_folder import ChosenSources, chosen_sources
@@ -122,13 +124,32 @@ def generate_text(
         texts_made = {name: text for name, text in reached.files.items() if name != KEPT}
         values = dict(reached.blueprint.document.values)
         verdicts = verdicts_of(wanted, values, texts_made, _proved)
+    elif wanted is not None:
+        verdicts = unanswered(wanted)
+    if wanted is not None:
         told = [one.as_json() for one in verdicts]
         reached.files[REQUIREMENTS] = f"{json.dumps(told, ensure_ascii=False, indent=1)}\n"
     given = [one for one in (*files, hardware, require) if one is not None]
     inputs = [one for one in given if not Path(one).is_dir()]
     written = _write(reached, target, folder, inputs)
-    left_out = tuple(sources.left_out) if sources is not None else ()
-    return replace(_told(reached, written), requirements=verdicts, left_out=left_out)
+    made = replace(_told(reached, written), requirements=verdicts)
+    if sources is None:
+        return made
+    doubts = made.doubts
+    if folder is None and (provider or READER) == READER:
+        doubts = (*_foreign(sources.chosen.procedure), *doubts)
+    return replace(made, doubts=doubts, left_out=tuple(sources.left_out))
+
+
+def _foreign(texts: Sequence[ExpertText]) -> Iterator[str]:
+    """Yield what the reader has not understood because of the language of a text."""
+    for text in texts:
+        if is_foreign(" ".join(line.text for line in text.lines)):
+            yield (
+                f"{text.file} is in no language that the reader knows (English and German): it "
+                "found steps by their numbers, and not who does them, until when, and what may go "
+                "wrong"
+            )
 
 
 def _proved(blueprint: Blueprint) -> dict[str, tuple[str, str]]:

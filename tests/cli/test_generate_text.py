@@ -13,6 +13,7 @@ import pytest
 import smsl_studio as smsl
 from smsl_studio.blueprint import editing
 from smsl_studio.shipped import samples_dir
+from tests.cases import case
 from tests.cli.shell import Answer, Shell
 from tests.generate.text.answering import completion, sent, server
 
@@ -307,6 +308,12 @@ def test_each_requirement_has_a_verdict(shell: Shell, lamp: Path, tmp_path: Path
         ("word", "lightning", "holds"),
     ]
     assert json.loads((out.parent / "requirements.json").read_text()) == answer.json["requirements"]
+    require.write_text('words = ["Switch\\u200b  It ON", "\u200b", "Gone it"]\n')
+    hidden = shell(*call, "--format", "json").json["requirements"]
+    assert [one["verdict"] for one in hidden] == ["fails", "unknown", "holds"]
+    none = shell(*call, "--format", "json", "--by-hand", str(tmp_path / "hand")).json
+    assert {one["verdict"] for one in none["requirements"]} == {"unknown"}
+    assert "no blueprint was made" in (out.parent / "requirements.json").read_text()
     require.write_text('required = ["Op_Plug*"]\n')
     assert shell(*call).status == 0
     require.write_text("required = 3\n")
@@ -329,6 +336,26 @@ def test_wrong_words_are_told(
     answer = shell("generate", "text", str(lamp), "-o", str(tmp_path / "o" / "x.json"), *words)
     assert answer.status == status
     assert said in answer.err
+
+
+def test_a_text_in_another_language_is_read_by_its_numbers_and_told(
+    shell: Shell, tmp_path: Path
+) -> None:
+    """What was found is kept; what was not understood is told."""
+    texts = {
+        "fr.md": "1. L'infirmière lave la plaie.\n2. Si la plaie saigne, appuyez plus fort.\n",
+        "zh.md": "1. 用手按压伤口。\n2. 包扎伤口。\n",
+        "ar.md": "١. اغسل الجرح\n٢. ضع ضمادة\n",
+    }
+    for name, text in texts.items():
+        with case(name):
+            (tmp_path / name).write_text(text)
+            made = shell("generate", "text", str(tmp_path / name), "-o", str(tmp_path / "o/x.json"))
+            assert made.status == 0
+            assert f"look again: {name} is in no language that the reader knows" in made.out
+    (tmp_path / "ru.md").write_text("Промойте рану. Затем наложите повязку.\n")
+    none = shell("generate", "text", str(tmp_path / "ru.md"), "-o", str(tmp_path / "o/x.json"))
+    assert (none.status, "no steps were found" in none.err) == (2, True)
 
 
 def test_a_text_is_bounded_and_never_written_over(shell: Shell, lamp: Path, tmp_path: Path) -> None:

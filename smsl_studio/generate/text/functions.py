@@ -153,7 +153,7 @@ def function_files(
     given = {one.operation: one.code for one in functions.functions if one.code}
     for operation, one in needed.items():
         code = given.get(operation, "")
-        text = code if code else _skeleton(operation, one.title)
+        text = code if code else _skeleton(operation, one.title or operation)
         yield names[operation], _with_origin(text, operation, origin, bool(code))
 
 

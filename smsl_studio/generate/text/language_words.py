@@ -151,9 +151,21 @@ _ENGLISH = frozenset(("the", "and", "is", "a", "an", "with", "on", "of", "for", 
                       "until", "to", "in", "it", "you", "be"))  # fmt: skip
 
 
+LEAST = 8
+"""So many words show in which language a text is."""
+
+
 def wording_of(text: str) -> tuple[Wording, bool]:
     """Return the words in the language of a text, and whether it is English or German at all."""
     words = re.findall(r"[^\W\d_]+", text.lower())
     german, english = (sum(word in of for word in words) for of in (_GERMAN, _ENGLISH))
     known = 20 * max(german, english) >= len(words)
     return (GERMAN if german > english else ENGLISH), known
+
+
+def is_foreign(text: str) -> bool:
+    """Return whether a text is in a language that the reader does not know. Of a few words in Latin
+    letters nobody can say it."""
+    words = re.findall(r"[^\W\d_]+", text)
+    _, known = wording_of(text)
+    return not known and (len(words) >= LEAST or not any(word.isascii() for word in words))

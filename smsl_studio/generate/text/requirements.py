@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import re
 import tomllib
+import unicodedata
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fnmatch import fnmatchcase
@@ -131,9 +132,34 @@ def _sources(allowed: Sequence[str] | None, blueprint: Blueprint) -> Iterator[Re
     yield RequirementVerdict("sources", name, HOLDS, "every part cites them")
 
 
+def unanswered(wanted: TextRequirements) -> tuple[RequirementVerdict, ...]:
+    """Return a verdict for each requirement where no blueprint was made."""
+    named = [("property", str(one.get("name", ""))[:300]) for one in wanted.properties]
+    named += [("required", one) for one in wanted.required]
+    named += [("forbidden", one) for one in wanted.forbidden]
+    if wanted.sources is not None:
+        named.append(("sources", ", ".join(wanted.sources) or "none"))
+    named += [("word", one) for one in wanted.words]
+    reason = "no blueprint was made"
+    return tuple(RequirementVerdict(kind, name, UNKNOWN, reason) for kind, name in named)
+
+
 def _words(words: Sequence[str], written: Mapping[str, str]) -> Iterator[RequirementVerdict]:
+    plain = {name: _plain(text) for name, text in written.items()}
     for word in words:
-        pattern = re.compile(rf"(?<!\w){re.escape(word)}(?!\w)", re.IGNORECASE)
-        place = next((name for name, text in written.items() if pattern.search(text)), "")
+        parts = [re.escape(part) for part in _plain(word).split()]
+        if not parts:
+            yield RequirementVerdict("word", word, UNKNOWN, "it is no word")
+            continue
+        whole = r"\s+".join(parts)
+        pattern = re.compile(rf"(?<!\w){whole}(?!\w)", re.IGNORECASE)
+        place = next((name for name, text in plain.items() if pattern.search(text)), "")
         reason = f"it stands in {place}" if place else "it stands nowhere"
         yield RequirementVerdict("word", word, FAILS if place else HOLDS, reason)
+
+
+def _plain(text: str) -> str:
+    """Return a text without characters that nobody sees, and with one form for each letter, so that
+    a word cannot be hidden."""
+    folded = unicodedata.normalize("NFKC", text)
+    return "".join(char for char in folded if unicodedata.category(char) != "Cf")

@@ -42,6 +42,8 @@ def shelf(tmp_path: Path) -> Path:
 def test_a_folder_gives_its_best_procedure_and_passages_of_others(
     shelf: Path, tmp_path: Path
 ) -> None:
+    read = [text.file for text in read_folder(shelf).texts]
+    assert read == ["lamp.md", "safety.pdf", "old/tea.md"]
     made = generate_text([shelf], tmp_path / "made" / "tea.json")
     assert made.is_good
     assert (made.blueprint is not None, made.uncited) == (True, ())
