@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
 from smsl_studio.blueprint.address import Address, fact_text, note_key
-from smsl_studio.blueprint.continuum import INSPECTION, SUPERVISION
+from smsl_studio.blueprint.continuum import GENERATION, INSPECTION, SUPERVISION
 from smsl_studio.blueprint.levels import Levels, digit_of, sensed_facts
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.studio.base.words import counted
@@ -35,7 +35,8 @@ class LevelRow:
 
 
 def level_rows(blueprint: Blueprint, each_edge: bool = False) -> tuple[LevelRow, ...]:
-    """The rows: inspection and supervision, then the facts, then the operations of each SB.
+    """The rows: inspection, supervision and generation, then the facts, then the operations of
+    each SB.
 
     An operation has one row for its name. If its edges differ (or with ``each_edge``), each edge
     also has a row.
@@ -44,6 +45,7 @@ def level_rows(blueprint: Blueprint, each_edge: bool = False) -> tuple[LevelRow,
     return (
         _layer(INSPECTION, levels.inspection, blueprint.levels),
         _layer(SUPERVISION, levels.supervision, blueprint.levels),
+        _layer(GENERATION, levels.generation, blueprint.levels),
         *(_fact(blueprint, levels, name, digit) for name, digit in sensed_facts(blueprint)),
         *(row for branch in blueprint for row in _operations(branch, levels, blueprint, each_edge)),
     )

@@ -47,11 +47,13 @@ def test_rows_say_what_is_declared_and_where(session: Session) -> None:
     blueprint = set_note(blueprint, "ROBOT", "_facts", "1", {"aggregation": "human"})
     rows = {row.key: row for row in level_rows(blueprint)}
     found = {key: (rows[key].declared, rows[key].source) for key in (
-        "inspection", "supervision", "TOOLPLAN/0", "TOOLPLAN/1", "ROBOT/1", "ROBOT/SwitchOn",
+        "inspection", "supervision", "generation", "TOOLPLAN/0", "TOOLPLAN/1", "ROBOT/1",
+        "ROBOT/SwitchOn",
     )}  # fmt: skip
     assert found == {
         "inspection": ("automatic", "default"),
         "supervision": ("human", "_levels"),
+        "generation": ("shared", "default"),
         "TOOLPLAN/0": ("shared", "_levels"),
         "TOOLPLAN/1": ("automatic", "default"),
         "ROBOT/1": ("human", "aggregation"),
