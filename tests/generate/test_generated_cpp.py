@@ -11,20 +11,38 @@ import pytest
 
 import smsl_studio as smsl
 from smsl_studio.blueprint.model import Blueprint
-from smsl_studio.blueprint.reading import read_blueprint
-from smsl_studio.errors import RunRefused
 from smsl_studio.front.generated_code import generate_code
 from smsl_studio.shipped import samples_dir
-from smsl_studio.smsl.forms import form_named
-from tests.dispatch.generated import blueprint_values
 from tests.generate.compiler import COMPILER, FLAGS, needs_compiler
 from tests.generate.generated_runs import studio
-from tests.generate.spiced import asked_of
+from tests.generate.spiced import asked_of, spiced, spiced_script
 
 Json = Any
 RANDOM = (11, 20)
-"""A few of those that ``benches/code.py`` leaves to Python: a compiler takes seconds for each."""
-SAMPLES = ("three-levels",)
+"""A few of those that ``benches/code.py`` counts: a compiler takes seconds for each."""
+SAMPLES = (
+    ("three-levels", ("",)),
+    ("hanoi-corrected", ("hanoi-chosen", "hanoi-cut", "hanoi-pruned", "hanoi-taken-over")),
+)
+BAD_LINES = (
+    ('{"do": "fly"}', "is no command"),
+    ('{"do": "stop", "do": "stop"}', "is no JSON object in UTF-8, each key once"),
+    ('{"do": "stop", "at": -1}', "is no number from 0 to 1e+09"),
+    ('{"do": "stop", "turn": 1.5}', "is no count"),
+    ('{"do": "stop", "when": "REGISTRATION/Nowhere"}', "is no state"),
+    ('{"do": "ask"}', "needs 'address'"),
+    ('{"do": "ask", "address": ["REGISTRATION/State_0000/Op_PlanLandmarks"]}', "is no text"),
+    ('{"do": "inject", "fault": "set", "fact": "REGISTRATION/0"}', "value is missing"),
+    (
+        '{"do": "disturb", "target": "REGISTRATION/0", "kind": "noise", "rate": 2}',
+        "no number from 0 to 1",
+    ),
+    ('{"do": "disturb", "target": "REGISTRATION/9", "kind": "none"}', "there is no fact"),
+    ('{"do": "level", "of": "REGISTRATION/0", "level": "robot"}', "is no level of"),
+    ('{"do": "stop", "by": "\\u200b"}', "is no text"),
+    ("[" * 5000, "is no JSON object"),
+    ('{"do": "stop", "_": "' + "x" * 70_000 + '"}', "longer than"),
+)
 
 
 def _built(blueprint: Blueprint, folder: Path, engine: list[Path]) -> Path:
@@ -36,19 +54,31 @@ def _built(blueprint: Blueprint, folder: Path, engine: list[Path]) -> Path:
     return program
 
 
-def _compared(blueprint: Blueprint, folder: Path, engine: list[Path], **asked: Json) -> None:
-    log = folder / "run.jsonl"
-    words = [str(_built(blueprint, folder, engine)), "run", "--log", str(log)]
+def _compared(program: Path, blueprint: Blueprint, script: bytes, **asked: Json) -> list[Json]:
+    """Run a program and Studio. Return the events of the program."""
+    log = program.with_name("run.jsonl")
+    log.unlink(missing_ok=True)
+    ours, status = _run(program, script, log=log, **asked)
+    theirs = studio(blueprint, script, **asked)
+    assert _committed(ours) == _committed(theirs)
+    assert ours[-1]["reason"] == theirs[-1]["reason"]
+    assert ours[-1]["configuration"] == theirs[-1]["configuration"]
+    assert status == (0 if ours[-1]["reason"] == "goal_reached" else 1)
+    assert smsl.verify(log, blueprint).doubt is None
+    return ours
+
+
+def _run(program: Path, script: bytes = b"", **asked: Json) -> tuple[list[Json], int]:
+    words = [str(program), "run"]
+    if script:
+        acts = program.with_name("script.jsonl")
+        acts.write_bytes(script)
+        asked = {**asked, "script": acts}
     for key, value in asked.items():
         for one in value if isinstance(value, list) else [value]:
             words += [f"--{key.replace('_', '-')}", str(one)]
     done = subprocess.run(words, capture_output=True, text=True, check=False)
-    ours, theirs = list(map(json.loads, done.stdout.splitlines())), studio(blueprint, **asked)
-    assert _committed(ours) == _committed(theirs)
-    assert ours[-1]["reason"] == theirs[-1]["reason"]
-    assert ours[-1]["configuration"] == theirs[-1]["configuration"]
-    assert done.returncode == (0 if ours[-1]["reason"] == "goal_reached" else 1)
-    assert smsl.verify(log, blueprint).doubt is None
+    return list(map(json.loads, done.stdout.splitlines())), done.returncode
 
 
 def _committed(events: list[Json]) -> list[Json]:
@@ -57,22 +87,46 @@ def _committed(events: list[Json]) -> list[Json]:
 
 @needs_compiler
 @pytest.mark.parametrize("number", RANDOM)
-def test_any_blueprint(number: int, tmp_path: Path, engine: list[Path]) -> None:
-    text = json.dumps(blueprint_values(number), indent=1)
-    blueprint = read_blueprint(form_named("json").parse(text, f"random-{number}.json"))
-    _compared(blueprint, tmp_path, engine, **asked_of(number, blueprint))
+def test_any_blueprint_under_any_script(number: int, tmp_path: Path, engine: list[Path]) -> None:
+    blueprint = spiced(number)
+    program = _built(blueprint, tmp_path, engine)
+    script = spiced_script(number, blueprint)
+    _compared(program, blueprint, script, **asked_of(number, blueprint))
 
 
 @needs_compiler
-@pytest.mark.parametrize("name", SAMPLES)
-def test_the_samples(name: str, tmp_path: Path, engine: list[Path]) -> None:
-    _compared(smsl.read(samples_dir() / f"{name}.json"), tmp_path, engine)
+@pytest.mark.parametrize(("name", "scripts"), SAMPLES)
+def test_the_samples(
+    name: str, scripts: tuple[str, ...], tmp_path: Path, engine: list[Path]
+) -> None:
+    blueprint = smsl.read(samples_dir() / f"{name}.json")
+    program = _built(blueprint, tmp_path, engine)
+    for script in scripts:
+        path = samples_dir() / "scripts" / f"{script}.jsonl"
+        _compared(program, blueprint, path.read_bytes() if script else b"")
 
 
-def test_what_asks_people_is_refused_with_its_address(tmp_path: Path) -> None:
+@needs_compiler
+def test_people_answer_and_one_person_is_not_two(tmp_path: Path, engine: list[Path]) -> None:
     blueprint = smsl.read(samples_dir() / "registration-people.json")
-    with pytest.raises(RunRefused, match="C\\+\\+ code for that is not generated"):
-        generate_code(blueprint, tmp_path, target="cpp")
+    program = _built(blueprint, tmp_path, engine)
+    script = samples_dir() / "scripts" / "registration-answered.jsonl"
+    whole = _compared(program, blueprint, script.read_bytes())
+    assert whole[-1]["reason"] == "goal_reached"
+    alone = _compared(program, blueprint, b"")
+    assert "nobody is there to answer" in alone[-1]["sentence"]
+    again = script.read_text("utf-8").rpartition("N. Kaya")
+    twice = _compared(program, blueprint, f"{again[0]} DR.  sun {again[2]}".encode())
+    told = [one["refused"] for one in twice if one["event"] == "task_answered"]
+    assert any("has answered already" in words for words in told)
+    for line, words in BAD_LINES:
+        script = tmp_path / "bad.jsonl"
+        script.write_text(f'{{"do": "pause"}}\n{line}\n', "utf-8")
+        said = [str(program), "run", "--script", str(script)]
+        done = subprocess.run(said, capture_output=True, text=True, check=False)
+        assert (done.returncode, done.stdout) == (2, ""), line[:80]
+        assert done.stderr.startswith(f"{script}:2:1: "), done.stderr
+        assert words in done.stderr, done.stderr
 
 
 def test_generating_again_writes_nothing_and_keeps_what_people_wrote(tmp_path: Path) -> None:

@@ -15,6 +15,7 @@ import yaml
 
 import smsl_studio as smsl
 from smsl_studio.blueprint.address import Address
+from smsl_studio.errors import RunRefused
 from smsl_studio.front.generated_code import generate_code
 from smsl_studio.shipped import samples_dir
 from tests.generate.compiler import COMPILER, FLAGS, needs_compiler
@@ -116,3 +117,9 @@ def test_names_from_outside_end_no_file(tmp_path: Path) -> None:
     assert told["odd"]["ros__parameters"]["goals"] == [str(Address(odd, odd))]
     yaml.safe_load((tmp_path / "made" / "config" / "dvrk.yaml").read_text())
     ast.parse((tmp_path / "made" / "launch" / "run.launch.py").read_text())
+
+
+def test_what_asks_people_is_refused_with_its_address(tmp_path: Path) -> None:
+    blueprint = smsl.read(samples_dir() / "registration-people.json")
+    with pytest.raises(RunRefused, match="REGISTRATION/0 shared, and the ROS 2 node asks nobody"):
+        generate_code(blueprint, tmp_path, target="ros2")

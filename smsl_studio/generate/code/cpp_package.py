@@ -7,12 +7,10 @@ from collections.abc import Iterator, Mapping
 from typing import Any
 
 from smsl_studio.blueprint.address import Address, escape, fact_text, note_key
-from smsl_studio.blueprint.annotations import OperationNote
+from smsl_studio.blueprint.annotations import FactNote, OperationNote
 from smsl_studio.blueprint.check import off_value
 from smsl_studio.blueprint.configuration import Hierarchy
-from smsl_studio.blueprint.continuum import GENERATION
-from smsl_studio.blueprint.model import Blueprint, StateBranch
-from smsl_studio.errors import RunRefused
+from smsl_studio.blueprint.model import StateBranch
 from smsl_studio.generate.code.blueprint_parts import (
     CodeRequest,
     counted,
@@ -28,40 +26,6 @@ from smsl_studio.library.bindings_file import BindingsFile
 from smsl_studio.shipped import resources_dir
 
 Json = Any
-ADVICE = "Generate Python, or leave people out of the blueprint."
-
-
-def refuse_what_cpp_lacks(blueprint: Blueprint) -> None:
-    """Raise RunRefused, with the place, for what only generated Python carries out: all that asks
-    people or an agent.
-    """
-    for key, level in blueprint.levels.items():
-        if key == GENERATION:
-            continue  # generated code makes no edges
-        usual = "shared" if key == "supervision" else "automatic"
-        if level != usual:
-            raise RunRefused(
-                f"_levels makes {key} {level}, and C++ code for that is not generated",
-                advice=ADVICE,
-            )
-    for branch in blueprint:
-        for key, note in branch.notes.operations.items():
-            if note.actor in ("human", "shared") or note.confirm:
-                what = "must be confirmed by people" if note.confirm else f"has actor {note.actor}"
-                raise RunRefused(
-                    f"{Address(branch.name)}/{key} {what}, and C++ code for that is not generated",
-                    blueprint.place(Address(branch.name)),
-                    ADVICE,
-                )
-        for digit in sensed_digits(branch):
-            fact = branch.fact_note(digit)
-            if fact is not None and fact.aggregation == "human":
-                raise RunRefused(
-                    f"{fact_text(branch.name, digit)} is told by people, and C++ code for that "
-                    "is not generated",
-                    blueprint.place(Address(branch.name)),
-                    ADVICE,
-                )
 
 
 class CppPackage:
@@ -70,7 +34,6 @@ class CppPackage:
     suffixes = (".cpp", ".hpp")
 
     def __init__(self, request: CodeRequest, file: BindingsFile | None = None) -> None:
-        refuse_what_cpp_lacks(request.blueprint)
         self._request = request
         self._blueprint = request.blueprint
         self._hierarchy = Hierarchy(request.blueprint)
@@ -173,6 +136,8 @@ class CppPackage:
             identity=pieces(header[1:-1]),
             branches=list(self._modules.values()),
             hazards=hazards,
+            levels=[(text(key), text(level)) for key, level in self._blueprint.levels.items()],
+            findings=text(request.findings),
             left_out=[(text(at), text(sentence)) for at, sentence in request.left_out],
             behaviour=text(self._blueprint.behaviour),
         )
@@ -233,6 +198,8 @@ class CppPackage:
             yield f"failure = {_texts(note.failure)}"
         if note is not None and note.critical:
             yield "critical = true"
+        if note is not None:
+            yield from _told(note)
 
     def _operations(self, branch: StateBranch) -> Iterator[Mapping[str, Json]]:
         for name in branch.operation_names:
@@ -266,12 +233,19 @@ class CppPackage:
             yield f"cost = {number(note.cost)}"
         if note.risk:
             yield f"risk = {text(note.risk)}"
+        if note.actor in ("human", "shared"):
+            yield f"actor = {text(note.actor)}"
+        if note.confirm:
+            yield f"confirm = {_texts(note.confirm)}"
         if note.timeout is not None:
             yield f"timeout = {number(note.timeout)}"
         if note.stop and note.stop != "hold":
             yield f"stop = {text(note.stop)}"
         if note.subs == "load":
             yield "load = true"
+        if note.resumes is False:
+            yield "resumes = false"
+        yield from _asked(note)
         touches = [digit for digit in note.touches if digit < branch.num_facts]
         if touches:
             yield f"touches = {{{', '.join(map(str, touches))}}}"
@@ -328,6 +302,31 @@ class CppPackage:
 
 def _texts(values: tuple[str, ...]) -> str:
     return f"{{{', '.join(f'std::string({text(one)})' for one in values)}}}"
+
+
+def _told(note: FactNote) -> Iterator[str]:
+    """Yield what a flag says of the people who tell it."""
+    if note.aggregation == "human":
+        yield "told_by_people = true"
+    if note.max_age is not None:
+        yield f"max_age = {number(note.max_age)}"
+    for value, meaning in note.values.items():
+        yield f"meanings.emplace_back({text(value)}, {text(meaning)})"
+    if note.unit:
+        yield f"unit = {text(note.unit)}"
+    yield from _asked(note)
+
+
+def _asked(note: FactNote | OperationNote) -> Iterator[str]:
+    """Yield who is asked, how, and how long."""
+    if note.question:
+        yield f"asked.question = {text(note.question)}"
+    if note.roles:
+        yield f"asked.roles = {_texts(note.roles)}"
+    if note.answer_within is not None:
+        yield f"asked.within = {number(note.answer_within)}"
+    if note.escalates_to:
+        yield f"asked.escalates_to = {text(note.escalates_to)}"
 
 
 def _failure(branch: StateBranch, state: str) -> str:

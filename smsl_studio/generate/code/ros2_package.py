@@ -9,18 +9,52 @@ import json
 from typing import Any
 from xml.sax.saxutils import escape as escape_xml
 
-from smsl_studio.blueprint.address import Address
+from smsl_studio.blueprint.address import Address, fact_text
+from smsl_studio.blueprint.continuum import GENERATION
+from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.errors import RunRefused
+from smsl_studio.generate.code.blueprint_parts import CodeRequest, sensed_digits
 from smsl_studio.generate.code.cpp_package import CppPackage
 from smsl_studio.generate.code.templates import BY, remark, rendered
+from smsl_studio.library.bindings_file import BindingsFile
 
 Json = Any
 TARGET = "ros2"
 UNSTATED = "Not stated"
 """The licence of a package without a licence text."""
+_LACKS = "the ROS 2 node asks nobody"
+_ADVICE = "Generate Python or C++, or leave people out of the blueprint."
+
+
+def refuse_what_ros2_lacks(blueprint: Blueprint) -> None:
+    """Raise RunRefused, with the place, for all that asks people or an agent: the node has nobody
+    to ask.
+    """
+    for key, level in blueprint.levels.items():
+        if key == GENERATION:
+            continue  # generated code makes no edges
+        if level != ("shared" if key == "supervision" else "automatic"):
+            raise RunRefused(f"_levels makes {key} {level}, and {_LACKS}", advice=_ADVICE)
+    for branch in blueprint:
+        place = blueprint.place(Address(branch.name))
+        for key, note in branch.notes.operations.items():
+            if note.actor in ("human", "shared") or note.confirm:
+                what = "must be confirmed by people" if note.confirm else f"has actor {note.actor}"
+                words = f"{Address(branch.name)}/{key} {what}, and {_LACKS}"
+                raise RunRefused(words, place, _ADVICE)
+        for digit in sensed_digits(branch):
+            fact = branch.fact_note(digit)
+            if fact is not None and fact.aggregation == "human":
+                words = f"{fact_text(branch.name, digit)} is told by people, and {_LACKS}"
+                raise RunRefused(words, place, _ADVICE)
 
 
 class Ros2Package(CppPackage):
     """Makes the files of one package. Its name is that of the C++ package in small letters."""
+
+    def __init__(self, request: CodeRequest, file: BindingsFile | None = None) -> None:
+        refuse_what_ros2_lacks(request.blueprint)
+        super().__init__(request, file)
 
     @property
     def files(self) -> dict[str, str]:

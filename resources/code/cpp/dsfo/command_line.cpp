@@ -6,6 +6,7 @@
 #include <iostream>
 
 #include "addresses.hpp"
+#include "player.hpp"
 #include "remote_world.hpp"
 #include "run_header.hpp"
 
@@ -15,7 +16,7 @@ namespace {
 
 const char* const usage =
     "usage: run [--goal SB/State]... [--start SB/State]... [--avoid ADDRESS]... [--log LOG]\n"
-    "           [--seed NUMBER] [--on-mismatch hold|adopt] [--format text|json]\n"
+    "           [--script FILE] [--seed NUMBER] [--on-mismatch hold|adopt] [--format text|json]\n"
     "           [--world table|remote] [--address unix:PATH|HOST:PORT] [--token-file FILE]\n";
 
 volatile std::sig_atomic_t asked_to_stop = 0;
@@ -33,6 +34,7 @@ struct Options {
     std::string world = "table";
     std::string address;
     std::string token_file;
+    std::string script;
     bool help = false;
     std::string wrong;
 };
@@ -50,7 +52,8 @@ Options options_of(const std::vector<std::string>& words) {
     const std::map<std::string, std::string*> single{
         {"--log", &found.log}, {"--seed", &found.seed}, {"--on-mismatch", &found.mismatch},
         {"--format", &found.format}, {"--world", &found.world},
-        {"--address", &found.address}, {"--token-file", &found.token_file}};
+        {"--address", &found.address}, {"--token-file", &found.token_file},
+        {"--script", &found.script}};
     if (words.empty() || words.front() != "run") {
         found.help = !words.empty() && (words.front() == "--help" || words.front() == "-h");
         found.wrong = found.help ? "" : "say what to do: run";
@@ -64,8 +67,8 @@ Options options_of(const std::vector<std::string>& words) {
             found.help = true;
             return found;
         }
-        if (name == "--script" || name == "--policy" || name == "--record") {
-            found.wrong = name + " is not for C++: people and records are in generated Python";
+        if (name == "--policy" || name == "--record") {
+            found.wrong = name + " is not for C++: records are judged in generated Python";
             return found;
         }
         if (!list && !single.count(name)) {
@@ -129,36 +132,76 @@ private:
     RunLog* log_;
 };
 
+// Plays the script, if there is one, until somebody asks the program to stop.
+class Played {
+public:
+    explicit Played(const Script& script) {
+        if (!script.acts.empty()) {
+            player_ = std::make_unique<Player>(script);
+        }
+    }
+
+    void before(Dispatcher& dispatcher) {
+        if (asked_to_stop) {
+            asked_to_stop = 0;
+            player_.reset();
+            dispatcher.stop();
+            dispatcher.leave();
+        } else if (player_) {
+            player_->before(dispatcher);
+        }
+    }
+
+    void hear(const std::vector<std::string>& events) {
+        if (player_) {
+            player_->hear(events);
+        }
+    }
+
+    void tell_left(const std::string& file) const {
+        for (const Act* act : player_ ? player_->left() : std::vector<const Act*>{}) {
+            std::cerr << file << ":" << act->line << ":1: its moment never came: " << act->words()
+                      << "\n";
+        }
+    }
+
+private:
+    std::unique_ptr<Player> player_;
+};
+
 int carried_out(
-    const Hierarchy& hierarchy, World& world, const Terms& terms, const Options& options) {
+    const Hierarchy& hierarchy, World& world, const Terms& terms, const Options& options,
+    const Script& script) {
     std::string failed;
     std::unique_ptr<RunLog> log;
+    Dispatcher dispatcher(hierarchy, world, terms);
     if (!options.log.empty()) {
-        log = std::make_unique<RunLog>(options.log, header_of(hierarchy, world, terms), failed);
+        const std::string header = header_of(hierarchy, world, terms, dispatcher, script);
+        log = std::make_unique<RunLog>(options.log, header, failed);
     }
     Teller teller(log.get());
     if (!failed.empty()) {
         teller.refuse(failed);
         return failed.rfind("the run log", 0) == 0 ? 1 : 2;
     }
-    Dispatcher dispatcher(hierarchy, world, terms);
+    Played played(script);
     std::signal(SIGINT, ask_to_stop);
     std::signal(SIGTERM, ask_to_stop);
-    const std::vector<std::string> first = dispatcher.open();
-    bool told = teller.tell(first, dispatcher.finished());
+    std::vector<std::string> events = dispatcher.open();
+    bool told = teller.tell(events, dispatcher.finished());
+    played.hear(events);
     while (told && !dispatcher.finished()) {
-        if (asked_to_stop) {
-            asked_to_stop = 0;
-            dispatcher.stop();
-        }
-        const std::vector<std::string> events = dispatcher.tick();
+        played.before(dispatcher);
+        events = dispatcher.tick();
         told = teller.tell(events, dispatcher.finished());
+        played.hear(events);
     }
     if (!told) {
         world.brake();
         teller.refuse("the run log cannot be written");
         return 1;
     }
+    played.tell_left(script.file);
     return dispatcher.reason() == "goal_reached" ? 0 : 1;
 }
 
@@ -178,12 +221,18 @@ int command_line(
         terms.avoid = operations_at(hierarchy, options.avoids, options.wrong);
         terms.adopts = options.mismatch == "adopt";
     }
+    Script script;
+    if (options.wrong.empty() && !options.script.empty()) {
+        script = read_script(options.script, hierarchy, options.wrong);
+    }
     if (!options.wrong.empty()) {
         return wrong_usage(options.wrong);
     }
     is_number(options.seed, terms.seed);
+    terms.attended = !script.acts.empty();
+    terms.levels = script.levels;
     if (options.world == "table") {
-        return carried_out(hierarchy, world, terms, options);
+        return carried_out(hierarchy, world, terms, options, script);
     }
     const bool port = options.address.rfind("unix:", 0) != 0;
     std::string token;
@@ -197,7 +246,7 @@ int command_line(
     }
     RemoteWorld remote(
         hierarchy, options.address, token, terms.seed, [] { return asked_to_stop != 0; });
-    return carried_out(hierarchy, remote, terms, options);
+    return carried_out(hierarchy, remote, terms, options, script);
 }
 
 }  // namespace dsfo

@@ -1,11 +1,9 @@
-// The dispatcher: one step of the run at each tick. `tick` makes one tick of the world if something
-// is carried out, or else proposes the next operation.
+// The dispatcher: one step of the run at each tick, chosen by the plan or by a person. `tick` carries
+// out the waiting commands first. Then it makes one tick of the world if something is carried out, or
+// else proposes the next operation.
 #pragma once
 
-#include <memory>
-
-#include "carrier.hpp"
-#include "planner.hpp"
+#include "commands.hpp"
 
 namespace dsfo {
 
@@ -13,8 +11,12 @@ struct Terms {
     std::map<int, int> start;  // states of some SBs
     std::map<int, int> goals;
     std::vector<std::string> avoid;  // addresses of operations that may not begin
-    long seed = 0;  // told in the events; the table world has no chance
+    long seed = 0;  // what chance of disturbances comes from
     bool adopts = false;  // a mismatch is resolved by the only configuration that fits
+    bool attended = false;  // somebody is there to decide and to answer
+    std::map<std::string, std::string> levels;  // set before the start
+    std::function<void(const Task&)> asks;  // called with every question to people that opens
+    Supervisor* supervisor = nullptr;  // asked before every operation, after all guards
 };
 
 class Dispatcher {
@@ -25,66 +27,41 @@ public:
     std::vector<std::string> open();
     std::vector<std::string> tick();
 
-    void stop() { stopping_ = true; }  // brake and end at the next tick
+    // Give a command (`command_table`). It waits for the next tick.
+    void command(const Command& command) { waiting_.push_back(command); }
+    void answer(
+        const std::string& task, const std::string& option, const std::string& by,
+        const std::string& role = "");
+    void stop();  // brake and latch; end, if nobody attends the run
+    void leave() { leaving_ = true; }  // nobody attends the run any more
+
+    std::vector<const Task*> tasks() const;  // the open questions to people
     bool finished() const { return !reason_.empty(); }
     const std::string& reason() const { return reason_; }  // such as goal_reached or held
+    double time() const { return run_ ? run_->time() : 0.0; }
+    std::string phase() const;
+    bool carrying() const { return driver_ && driver_->carrier; }
+    const Supervisor* supervisor() const { return terms_.supervisor; }
 
 private:
-    struct Hold {
-        std::string reason;
-        std::vector<std::string> details;
-        std::string kind = "held";
-    };
-
-    void refuse(const std::string& sentence);
-    void tell_start(const std::vector<Check>& checks);
-    void propose();
-    void look_at_goals();
-    std::vector<Goal> reached() const;
-    bool at_a_goal() const;
-    StepPointer next_step(std::optional<Hold>& hold);
-    void tell_bypasses(const std::vector<const Edge*>& edges);
-    void admit(const StepPointer& step);
-    std::optional<std::string> circling(const Edge& edge);
-    void carry();
-    void failed(const StepPointer& step, const Failure& failure);
-    bool lost();
-    bool endangered();
-    Hold no_way();
-    std::vector<std::string> risky_way();
-    std::optional<Hold> relocalise(const std::string& cause, bool adopts);
-    Hold hold_lost(
-        const std::vector<std::string>& facts, const std::string& cause, const std::string& kind);
-    std::vector<Configuration> candidates() const;
-    std::vector<int> true_states(int branch, const Configuration& all) const;
-    std::optional<Configuration> sub_alone(int branch) const;
-    void adopt(const Configuration& configuration);
-    void hold(const Hold& why);
-    void finish(const std::string& reason, const std::string& sentence);
-    void stop_now();
+    void begin();
+    std::string refusal(Configuration& start, std::vector<Goal>& goals) const;
+    bool obey();  // whether a command has set an operation going
+    bool under_way() const;
+    void end_before(const std::string& sentence);
     void lose();
-    Shut closed() const;
-    std::string goal_text(const Goal& goal) const;
     std::vector<std::string> drained();
 
     const Hierarchy& hierarchy_;
     World& world_;
     Terms terms_;
-    Edges edges_;
+    Levels levels_;
+    RiskLimit limit_;
     std::unique_ptr<LiveRun> run_;
-    std::vector<Goal> goals_;
-    Shut shut_;
-    Shut risky_;
-    std::unique_ptr<Planner> planner_;
-    Legs legs_;
-    std::size_t leg_ = 0;
-    std::size_t step_ = 0;
-    std::unique_ptr<Carrier> carrier_;
-    std::set<Goal> told_;
-    std::set<std::string> bypassed_;
-    std::map<std::pair<std::string, Configuration>, int> begun_;
-    std::optional<double> since_;
-    bool stopping_ = false;
+    std::unique_ptr<Course> course_;
+    std::unique_ptr<Driver> driver_;
+    std::vector<Command> waiting_;
+    bool leaving_ = false;
     std::string reason_;
 };
 

@@ -44,6 +44,18 @@ const Flag& Blueprint::flag(Fact fact) const {
     return branch.flags[static_cast<std::size_t>(fact.second)];
 }
 
+std::vector<Fact> Blueprint::sensed() const {
+    std::vector<Fact> found;
+    for (std::size_t at = 0; at < branches.size(); ++at) {
+        for (std::size_t digit = 0; digit < branches[at].flags.size(); ++digit) {
+            if (branches[at].flags[digit].sub.empty()) {
+                found.emplace_back(static_cast<int>(at), static_cast<int>(digit));
+            }
+        }
+    }
+    return found;
+}
+
 bool Blueprint::meets(const Hazard& hazard, const Configuration& configuration) const {
     for (const auto& [fact, value] : hazard.facts) {
         const auto at = static_cast<std::size_t>(fact.first);
@@ -96,6 +108,17 @@ std::string joined(const std::vector<std::string>& texts, const std::string& bet
         found += (at ? between : std::string()) + texts[at];
     }
     return found;
+}
+
+std::optional<std::pair<std::string, int>> split_fact(const std::string& text) {
+    const std::size_t slash = text.rfind('/');
+    const std::string digit = slash == std::string::npos ? "" : text.substr(slash + 1);
+    const bool number = !digit.empty() && digit.size() < 7 &&
+                        digit.find_first_not_of("0123456789") == std::string::npos;
+    if (!number || slash == 0) {
+        return std::nullopt;
+    }
+    return std::make_pair(joined(parts(text.substr(0, slash)), "/"), std::stoi(digit));
 }
 
 }  // namespace dsfo

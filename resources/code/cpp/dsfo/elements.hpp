@@ -23,6 +23,14 @@ enum class Outcome { running, returned, failed, raised };
 using Function = Outcome (*)(World&, const Edge&, long tick);
 using Reader = std::optional<std::string> (*)(const World&, Fact);
 
+// Who is asked for something, and how. Times are seconds.
+struct Asked {
+    std::string question;
+    std::vector<std::string> roles;
+    std::optional<double> within;
+    std::string escalates_to;
+};
+
 // A fact as the dispatcher believes it: one digit of the states of an SB.
 struct Flag {
     std::string name;
@@ -33,6 +41,11 @@ struct Flag {
     std::vector<std::string> failure;
     bool critical = false;
     Reader read = nullptr;
+    bool told_by_people = false;
+    std::optional<double> max_age;
+    std::vector<std::pair<std::string, std::string>> meanings;  // of its values
+    std::string unit;
+    Asked asked;
 };
 
 // A state: the values of its facts, and the target of each operation that is permitted.
@@ -50,11 +63,15 @@ struct Operation {
     std::string title;
     double cost = 1.0;
     std::string risk;
+    std::string actor;  // human, shared, or empty for its function
+    std::vector<std::string> confirm;
     double timeout = 20.0;
     std::string stop = "hold";
+    bool resumes = true;
     bool load = false;
     std::vector<int> touches;
     std::vector<std::pair<std::string, std::string>> requires_facts;
+    Asked asked;
     std::string arguments;  // what a bindings file passes to its function, as a JSON object
 };
 
@@ -84,12 +101,15 @@ struct Blueprint {
     std::vector<Branch> branches;
     std::vector<Hazard> hazards;
     std::vector<std::pair<std::string, std::string>> left_out;
+    std::vector<std::pair<std::string, std::string>> levels;  // who acts, senses and supervises
+    std::string findings;  // what inspection found
     std::string behaviour;
     std::string closure;
     std::string identity;  // the part of a log's header that is always the same, as JSON members
 
     int number_of(const std::string& branch) const;  // -1 if there is none
     const Flag& flag(Fact fact) const;
+    std::vector<Fact> sensed() const;  // every fact that no sub-SB expands
     bool meets(const Hazard& hazard, const Configuration& configuration) const;
     std::string fact_text(Fact fact) const;
 };
@@ -97,6 +117,7 @@ struct Blueprint {
 std::string escape(const std::string& name);
 std::string address(const std::vector<std::string>& names);
 std::vector<std::string> parts(const std::string& text);
+std::optional<std::pair<std::string, int>> split_fact(const std::string& text);  // SB and digit
 std::string joined(const std::vector<std::string>& texts, const std::string& between);
 
 enum class Kind { pure, rise, fall, mixed };

@@ -3,6 +3,7 @@
 #include <charconv>
 #include <chrono>
 #include <cmath>
+#include <cstdio>
 #include <ctime>
 #include <filesystem>
 
@@ -129,6 +130,12 @@ std::string json_number(double number) {
     std::string found(text.data(), end.ptr);
     const bool whole = found.find_first_of(".e") == std::string::npos;
     return whole ? found + ".0" : found;
+}
+
+std::string plain_number(double number) {
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), "%g", number);
+    return text.data();
 }
 
 std::string json_list(const std::vector<std::string>& texts) {

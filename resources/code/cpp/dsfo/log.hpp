@@ -26,6 +26,7 @@ private:
 
 std::string json_text(const std::string& text);  // with its quotes, in ASCII
 std::string json_number(double number);  // rounded to six decimals
+std::string plain_number(double number);  // in six significant digits, such as 2.5 or 20
 std::string json_list(const std::vector<std::string>& texts);
 std::string json_map(const std::vector<std::pair<std::string, std::string>>& texts);
 

@@ -8,8 +8,6 @@ namespace {
 
 std::size_t index(int number) { return static_cast<std::size_t>(number); }
 
-const char* const in_transit = "in transit";
-
 }  // namespace
 
 std::optional<bool> Check::truth() const {
@@ -39,10 +37,14 @@ std::vector<Term> Check::unknown() const {
     return found;
 }
 
-LiveRun::LiveRun(const Hierarchy& known, World& its_world, Configuration start)
+LiveRun::LiveRun(
+    const Hierarchy& known, World& its_world, const Levels& its_levels, Configuration start,
+    long seed)
     : hierarchy(known),
       blueprint(known.blueprint),
       world(its_world),
+      levels(its_levels),
+      senses(known, its_world, its_levels, seed),
       configuration(std::move(start)) {}
 
 Configuration LiveRun::believed() const {
@@ -83,18 +85,7 @@ std::string LiveRun::json_of(const Places& places) const {
 // senses --------------------------------------------------------------------------------------------
 
 void LiveRun::look() {
-    doubts_.clear();
-    for (std::size_t at = 0; at < blueprint.branches.size(); ++at) {
-        const std::vector<Flag>& flags = blueprint.branches[at].flags;
-        for (std::size_t digit = 0; digit < flags.size(); ++digit) {
-            if (flags[digit].sub.empty()) {
-                const Fact fact{static_cast<int>(at), static_cast<int>(digit)};
-                const auto value =
-                    flags[digit].read ? flags[digit].read(world, fact) : world.sense(fact);
-                scene_[fact] = Reading{value, value ? "" : "no valid reading"};
-            }
-        }
-    }
+    senses.look(time());
     take_changes();
 }
 
@@ -105,19 +96,23 @@ void LiveRun::pass_tick() {
 }
 
 void LiveRun::doubt(const std::set<Fact>& facts, const std::string& reason) {
-    for (const Fact& fact : facts) {
-        if (scene_.count(fact)) {
-            doubts_[fact] = reason;
-        }
+    senses.doubt(facts, reason, time());
+    take_changes();
+}
+
+void LiveRun::forget(const std::set<Fact>& facts) {
+    if (senses.forget(facts, time())) {
+        take_changes();
     }
+}
+
+void LiveRun::take_answer(Fact fact, const std::string& value, const std::string& who) {
+    senses.answer(fact, value, who, time());
     take_changes();
 }
 
 void LiveRun::take_changes() {
-    for (const auto& [fact, reason] : doubts_) {
-        scene_[fact] = Reading{std::nullopt, reason};
-    }
-    for (const auto& [fact, reading] : scene_) {
+    for (const auto& [fact, reading] : senses.scene) {
         const auto known = told_.find(fact);
         if (known == told_.end() || known->second != reading.value) {
             told_[fact] = reading.value;
@@ -146,8 +141,8 @@ std::vector<Term> LiveRun::terms(
             found.push_back(sub_term(fact, wanted, all, left_out));
             continue;
         }
-        const auto reading = scene_.find(fact);
-        if (reading == scene_.end()) {
+        const auto reading = senses.scene.find(fact);
+        if (reading == senses.scene.end()) {
             const std::string& value = own.value(all[index(branch)], digit);
             found.push_back(
                 Term{fact, wanted, value, value == wanted, "believed, nobody senses it"});
@@ -345,19 +340,11 @@ std::vector<std::string> LiveRun::refusals(const JointStep& step) const {
     }
     std::set<int> moved;
     for (const Edge* edge : step.edges) {
-        for (const Requirement& need : edge->needs) {
-            const auto [branch, digit] = need.fact;
-            if (!need.known || moved.count(branch)) {
-                continue;
-            }
-            const Check own = check(branch, configuration[index(branch)]);
-            Term term = own.terms[index(digit)];
-            term.wanted = need.value;
-            term.truth = term.reading ? std::optional<bool>(*term.reading == need.value)
-                                      : std::nullopt;
-            if (!term.truth.value_or(false)) {
+        for (const Term& term : needs(*edge)) {
+            const auto [branch, digit] = term.fact;
+            if (!moved.count(branch) && !term.truth.value_or(false)) {
                 add(edge->address + " requires " + hierarchy.of(branch).name + "/" +
-                    std::to_string(digit) + " to be " + need.value + ": " + words(term));
+                    std::to_string(digit) + " to be " + term.wanted + ": " + words(term));
             }
         }
         const std::set<int> its = moved_by(*edge);
@@ -366,8 +353,23 @@ std::vector<std::string> LiveRun::refusals(const JointStep& step) const {
     return found;
 }
 
-std::vector<std::string> LiveRun::lost_critical(const std::set<Fact>& changing) const {
-    std::vector<std::string> found;
+std::vector<Term> LiveRun::needs(const Edge& edge) const {
+    std::vector<Term> found;
+    for (const Requirement& need : edge.needs) {
+        if (need.known) {
+            const auto [branch, digit] = need.fact;
+            Term term = check(branch, configuration[index(branch)]).terms[index(digit)];
+            term.wanted = need.value;
+            term.truth = term.reading ? std::optional<bool>(*term.reading == need.value)
+                                      : std::nullopt;
+            found.push_back(term);
+        }
+    }
+    return found;
+}
+
+std::vector<Term> LiveRun::lost_terms(const std::set<Fact>& changing) const {
+    std::vector<Term> found;
     std::set<Fact> left_out = transit;
     left_out.insert(changing.begin(), changing.end());
     const Configuration all = believed();
@@ -379,9 +381,17 @@ std::vector<std::string> LiveRun::lost_critical(const std::set<Fact>& changing) 
             }
             const Term term = terms(branch, all[index(branch)], all, left_out)[index(digit)];
             if (!term.truth.value_or(false) && term.reason != in_transit) {
-                found.push_back(words(term, ", a critical fact,"));
+                found.push_back(term);
             }
         }
+    }
+    return found;
+}
+
+std::vector<std::string> LiveRun::lost_critical(const std::set<Fact>& changing) const {
+    std::vector<std::string> found;
+    for (const Term& term : lost_terms(changing)) {
+        found.push_back(words(term, ", a critical fact,"));
     }
     return found;
 }
@@ -434,8 +444,8 @@ std::optional<std::string> LiveRun::seen(
         const std::optional<bool> there = truth(facts, left_out, declared);
         return there ? std::optional<std::string>(*there ? flag.on : flag.off) : std::nullopt;
     }
-    const auto reading = scene_.find(fact);
-    if (flag.sub.empty() && reading != scene_.end()) {
+    const auto reading = senses.scene.find(fact);
+    if (flag.sub.empty() && reading != senses.scene.end()) {
         return reading->second.value;
     }
     const std::string& value = own.value(believed()[index(branch)], digit);
@@ -503,11 +513,11 @@ std::vector<std::string> LiveRun::met_words(const std::vector<Hazard>& hazards) 
     return found;
 }
 
-std::optional<Objection> LiveRun::objection(
-    const std::string& asked, const std::vector<Action>& actions) const {
-    std::map<Fact, std::string> declared;
-    std::vector<std::pair<std::set<Fact>, std::map<Fact, std::string>>> moments;
-    std::set<Fact> changed;
+// The facts now and after each action, as far as the actions declare them.
+LiveRun::Moments LiveRun::moments(
+    const std::vector<Action>& actions, std::set<Fact>& changed) const {
+    Moments found{{transit, {}}};
+    Declared declared;
     Configuration here = believed();
     for (const Action& action : actions) {
         for (const auto& [branch, state] : action.moved.all) {
@@ -519,30 +529,61 @@ std::optional<Objection> LiveRun::objection(
             changed.insert(differ.begin(), differ.end());
             here[index(branch)] = state;
         }
-        moments.emplace_back(action.after, declared);
+        found.emplace_back(action.after, declared);
+    }
+    return found;
+}
+
+// The unknown facts that could complete a hazard at some moment, if the actions change one of its
+// facts.
+std::vector<Fact> LiveRun::unknown_of(
+    const Hazard& hazard, const Moments& all, const std::set<Fact>& changed) const {
+    std::vector<Fact> unknown;
+    const bool changes = std::any_of(
+        hazard.facts.begin(), hazard.facts.end(),
+        [&](const auto& one) { return changed.count(one.first) > 0; });
+    for (const auto& [left_out, said] : all) {
+        if (changes && unknown.empty() && !truth(hazard.facts, left_out, said)) {
+            for (const auto& one : hazard.facts) {
+                if (!seen(one.first, left_out, said)) {
+                    unknown.push_back(one.first);
+                }
+            }
+        }
+    }
+    return unknown;
+}
+
+std::vector<Fact> LiveRun::doubtful(const std::vector<Action>& actions) const {
+    std::vector<Fact> found;
+    std::set<Fact> changed;
+    const Moments all = moments(actions, changed);
+    for (const Hazard& hazard : blueprint.hazards) {
+        const std::vector<Fact> unknown = unknown_of(hazard, all, changed);
+        found.insert(found.end(), unknown.begin(), unknown.end());
+    }
+    return found;
+}
+
+std::optional<Objection> LiveRun::objection(
+    const std::string& asked, const std::vector<Action>& actions) const {
+    std::set<Fact> changed;
+    const Moments all = moments(actions, changed);
+    for (std::size_t at = 1; at < all.size(); ++at) {
         for (const Hazard& hazard : blueprint.hazards) {
-            if (truth(hazard.facts, action.after, declared).value_or(false)) {
+            if (truth(hazard.facts, all[at].first, all[at].second).value_or(false)) {
                 return Objection{
                     hazard.name, asked + " would meet the hazard " + hazard.name + ": " +
                                      hazard_facts(hazard)};
             }
         }
     }
-    moments.insert(moments.begin(), {transit, {}});
     for (const Hazard& hazard : blueprint.hazards) {
-        const bool changes = std::any_of(
-            hazard.facts.begin(), hazard.facts.end(),
-            [&](const auto& one) { return changed.count(one.first) > 0; });
-        for (const auto& [left_out, said] : moments) {
-            if (!changes || truth(hazard.facts, left_out, said)) {
-                continue;
-            }
-            std::vector<std::string> unknown;
-            for (const auto& one : hazard.facts) {
-                if (!seen(one.first, left_out, said)) {
-                    unknown.push_back(blueprint.fact_text(one.first));
-                }
-            }
+        std::vector<std::string> unknown;
+        for (const Fact& fact : unknown_of(hazard, all, changed)) {
+            unknown.push_back(blueprint.fact_text(fact));
+        }
+        if (!unknown.empty()) {
             return Objection{
                 hazard.name, asked + " changes a fact of the hazard " + hazard.name + ", and " +
                                  joined(unknown, ", ") + " is unknown"};

@@ -3,15 +3,12 @@
 #pragma once
 
 #include "log.hpp"
+#include "senses.hpp"
 #include "steps.hpp"
-#include "world.hpp"
 
 namespace dsfo {
 
-struct Reading {
-    std::optional<std::string> value;
-    std::string reason;
-};
+inline const char* const in_transit = "in transit";  // the reason of a term that is left out
 
 // One fact of a state check. `truth` is empty if it is unknown.
 struct Term {
@@ -40,11 +37,15 @@ struct Objection {
 
 class LiveRun {
 public:
-    LiveRun(const Hierarchy& hierarchy, World& world, Configuration start);
+    LiveRun(
+        const Hierarchy& hierarchy, World& world, const Levels& levels, Configuration start,
+        long seed);
 
     const Hierarchy& hierarchy;
     const Blueprint& blueprint;
     World& world;
+    const Levels& levels;
+    Senses senses;
     Configuration configuration;  // committed
     Places pending;  // what has moved and is not committed
     std::set<Fact> transit;  // base digits in transit
@@ -66,6 +67,8 @@ public:
     bool gone() const { return !world.lost().empty(); }
     void pass_tick();  // let the world go on for one tick, and look
     void doubt(const std::set<Fact>& facts, const std::string& reason);
+    void forget(const std::set<Fact>& facts);  // what people have said about them
+    void take_answer(Fact fact, const std::string& value, const std::string& who);
 
     Check check(int branch, int state, const std::set<Fact>& left_out = {}) const;
     std::vector<Check> checks(const Configuration& all) const;
@@ -82,6 +85,8 @@ public:
     void drop_pending();
 
     std::vector<std::string> refusals(const JointStep& step) const;
+    std::vector<Term> needs(const Edge& edge) const;  // what it requires, as it is sensed
+    std::vector<Term> lost_terms(const std::set<Fact>& changing = {}) const;
     std::vector<std::string> lost_critical(const std::set<Fact>& changing = {}) const;
     std::vector<std::string> unmet(const Edge& edge, const std::set<Fact>& changing) const;
     std::vector<Hazard> met();
@@ -89,6 +94,8 @@ public:
     std::vector<std::string> met_words(const std::vector<Hazard>& hazards) const;
     std::optional<Objection> objection(
         const std::string& asked, const std::vector<Action>& actions) const;
+    // The unknown facts because of which a hazard would refuse a step.
+    std::vector<Fact> doubtful(const std::vector<Action>& actions) const;
 
     std::set<Fact> differing(int branch, int source, int target) const;
     std::set<Fact> changed_by(const Action& action) const;
@@ -109,11 +116,14 @@ private:
         const std::vector<std::pair<Fact, std::string>>& facts, const std::set<Fact>& left_out,
         const std::map<Fact, std::string>& declared) const;
     void take_changes();
+    using Declared = std::map<Fact, std::string>;
+    using Moments = std::vector<std::pair<std::set<Fact>, Declared>>;  // what is in transit, and said
+    Moments moments(const std::vector<Action>& actions, std::set<Fact>& changed) const;
+    std::vector<Fact> unknown_of(
+        const Hazard& hazard, const Moments& moments, const std::set<Fact>& changed) const;
     std::string hazard_facts(const Hazard& hazard) const;
 
-    std::map<Fact, Reading> scene_;
     std::map<Fact, std::optional<std::string>> told_;
-    std::map<Fact, std::string> doubts_;
 };
 
 }  // namespace dsfo

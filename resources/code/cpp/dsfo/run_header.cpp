@@ -21,7 +21,9 @@ std::vector<std::string> texts(const Hierarchy& hierarchy, const std::map<int, i
 
 }  // namespace
 
-std::string header_of(const Hierarchy& hierarchy, const World& world, const Terms& terms) {
+std::string header_of(
+    const Hierarchy& hierarchy, const World& world, const Terms& terms,
+    const Dispatcher& dispatcher, const Script& script) {
     std::array<char, 256> node{};
     gethostname(node.data(), node.size() - 1);
     Object said;
@@ -32,8 +34,15 @@ std::string header_of(const Hierarchy& hierarchy, const World& world, const Term
     said.raw("goals", json_list(texts(hierarchy, terms.goals)));
     said.raw("avoid", json_list(terms.avoid));
     said.text("on_mismatch", terms.adopts ? "adopt" : "hold");
-    said.raw("by_hand", "false").raw("attended", "false").raw("levels", "{}");
-    said.raw("script", "null").text("supervisor", "").raw("policy", "null").raw("mqtt", "null");
+    const std::vector<std::pair<std::string, std::string>> levels(
+        script.levels.begin(), script.levels.end());
+    Object file;
+    file.text("file", script.file).text("digest", script.digest);
+    said.raw("by_hand", "false").raw("attended", terms.attended ? "true" : "false");
+    said.raw("levels", json_map(levels));
+    said.raw("script", script.file.empty() ? "null" : file.str());
+    said.text("supervisor", dispatcher.supervisor() ? dispatcher.supervisor()->name() : "");
+    said.raw("policy", "null").raw("mqtt", "null");
     const std::string own = said.str();
     return own.substr(0, own.size() - 1) + "," + hierarchy.blueprint.identity + "}";
 }

@@ -2,10 +2,12 @@
 #pragma once
 
 #include "dispatcher.hpp"
-#include "log.hpp"
+#include "script.hpp"
 
 namespace dsfo {
 
-std::string header_of(const Hierarchy& hierarchy, const World& world, const Terms& terms);
+std::string header_of(
+    const Hierarchy& hierarchy, const World& world, const Terms& terms,
+    const Dispatcher& dispatcher, const Script& script);
 
 }  // namespace dsfo

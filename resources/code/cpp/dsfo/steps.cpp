@@ -18,6 +18,12 @@ bool has(const std::vector<int>& digits, int digit) {
     return std::find(digits.begin(), digits.end(), digit) != digits.end();
 }
 
+// A rise or a fall alone costs what its sub-SB costs.
+double own_cost(const Edge& edge) {
+    const bool single = edge.kind == Kind::rise || edge.kind == Kind::fall;
+    return single && !edge.acts ? 0.0 : edge.price;
+}
+
 std::vector<int> both(const std::vector<int>& falls, const std::vector<int>& rises) {
     std::vector<int> found = falls;
     found.insert(found.end(), rises.begin(), rises.end());
@@ -111,6 +117,23 @@ const Edge* Edges::find(const std::string& address) const {
     return nullptr;
 }
 
+double Edges::price(const std::string& address) const {
+    const Edge* const edge = find(address);
+    return edge == nullptr ? 0.0 : edge->price;
+}
+
+void Edges::set_price(const std::string& address, double price) {
+    const Edge* const known = find(address);
+    if (known != nullptr) {
+        for (Edge& edge : out_[index(known->branch)][index(known->source)]) {
+            if (edge.address == address) {
+                edge.price = price;
+                edge.cost = own_cost(edge);
+            }
+        }
+    }
+}
+
 Edge Edges::made(int branch, int source, const std::string& name, int target) const {
     const Branch& own = hierarchy_.of(branch);
     Edge edge;
@@ -141,8 +164,7 @@ Edge Edges::made(int branch, int source, const std::string& name, int target) co
     edge.load = edge.terms->load && turned > 0;
     edge.acts = edge.load || edge.kind == Kind::pure || others;
     edge.price = edge.terms->cost;
-    const bool single = edge.kind == Kind::rise || edge.kind == Kind::fall;
-    edge.cost = single && !edge.acts ? 0.0 : edge.price;
+    edge.cost = own_cost(edge);
     if (!hierarchy_.bases[index(branch)].empty()) {
         edge.crossing = static_cast<int>(target == own.activating) -
                         static_cast<int>(source == own.activating);
@@ -363,8 +385,9 @@ StepPointer Draft::step() const {
 
 // the stepper ---------------------------------------------------------------------------------------
 
-Stepper::Stepper(const Hierarchy& known, const Edges& every, Shut shut)
-    : hierarchy(known), edges(every), shut_(std::move(shut)) {}
+Stepper::Stepper(
+    const Hierarchy& known, const Edges& every, Shut shut, std::set<std::string> failing)
+    : hierarchy(known), edges(every), shut_(std::move(shut)), failing_(std::move(failing)) {}
 
 Stepper::~Stepper() = default;
 
@@ -407,7 +430,7 @@ std::vector<std::string> Stepper::closures(const Edge& edge) const {
     if (shut != shut_.end()) {
         found.push_back(edge.address + " is " + shut->second);
     }
-    if (!edge.fails.empty()) {
+    if (!edge.fails.empty() && failing_.count(edge.address) == 0) {
         found.push_back(edge.address + " leads into a failure: " + edge.fails);
     }
     return found;

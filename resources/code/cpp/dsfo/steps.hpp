@@ -56,6 +56,8 @@ public:
     const Edge* find(const std::string& address) const;
     std::vector<std::string> missing(const Edge& edge, const Configuration& here) const;
     std::set<int> requiring(int branch) const;
+    double price(const std::string& address) const;
+    void set_price(const std::string& address, double price);  // plans made before are void
 
 private:
     Edge made(int branch, int source, const std::string& name, int target) const;
@@ -71,7 +73,10 @@ struct Carried;
 
 class Stepper {
 public:
-    Stepper(const Hierarchy& hierarchy, const Edges& edges, Shut shut);
+    // `failing` are the edges that may lead into a failure state.
+    Stepper(
+        const Hierarchy& hierarchy, const Edges& edges, Shut shut,
+        std::set<std::string> failing = {});
     ~Stepper();
 
     StepAnswer step(const Configuration& configuration, const Edge& edge);
@@ -105,6 +110,7 @@ private:
     Refusal hazards_of(const Configuration& before, const JointStep& step) const;
 
     Shut shut_;
+    std::set<std::string> failing_;
     std::map<std::pair<Configuration, const Edge*>, StepAnswer> steps_;
     std::map<std::vector<int>, Route> routes_;
     std::size_t work_ = 0;

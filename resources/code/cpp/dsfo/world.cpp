@@ -14,7 +14,34 @@ std::optional<std::string> TableWorld::sense(Fact fact) const {
     return found == facts_.end() ? std::nullopt : std::optional<std::string>(found->second);
 }
 
+void TableWorld::spoil(
+    const std::string& fault, const std::string& at,
+    const std::optional<std::pair<int, int>>& elsewhere) {
+    fault_ = fault;
+    fault_at_ = at;
+    elsewhere_ = elsewhere;
+}
+
+Outcome TableWorld::spoilt() {
+    const std::string fault = fault_;
+    fault_.clear();
+    if (fault == "elsewhere") {
+        write(elsewhere_->first, elsewhere_->second);
+    }
+    hangs_ = fault == "hang";
+    return hangs_ ? Outcome::running
+           : fault == "raise" ? Outcome::raised
+           : fault == "fail" ? Outcome::failed
+                             : Outcome::returned;
+}
+
 Outcome TableWorld::carry_out(const Edge& edge) {
+    if (hangs_) {
+        return Outcome::running;
+    }
+    if (!fault_.empty() && (fault_at_.empty() || fault_at_ == edge.address)) {
+        return spoilt();
+    }
     write(edge.branch, edge.target);
     if (edge.load) {
         std::map<int, bool> turned;  // by digit: whether it rises

@@ -32,12 +32,25 @@ public:
     void begin(const Configuration& start) override;
     std::optional<std::string> sense(Fact fact) const override;
     Outcome carry_out(const Edge& edge) override;
+    void brake() override { hangs_ = false; }
+
+    // Faults, for trials. `spoil` says what befalls the next operation, or the one at an address;
+    // it may end in a state that it does not lead to.
+    void set_fact(Fact fact, const std::string& value) { facts_[fact] = value; }
+    void spoil(
+        const std::string& fault, const std::string& at,
+        const std::optional<std::pair<int, int>>& elsewhere);
 
 private:
     void write(int branch, int state);
+    Outcome spoilt();
 
     const Hierarchy& hierarchy_;
     std::map<Fact, std::string> facts_;
+    std::string fault_;
+    std::string fault_at_;
+    std::optional<std::pair<int, int>> elsewhere_;
+    bool hangs_ = false;  // the present operation never ends
 };
 
 }  // namespace dsfo
