@@ -176,7 +176,7 @@ int carried_out(
     std::unique_ptr<RunLog> log;
     Dispatcher dispatcher(hierarchy, world, terms);
     if (!options.log.empty()) {
-        const std::string header = header_of(hierarchy, world, terms, dispatcher, script);
+        const std::string header = header_of(hierarchy, world, terms, script);
         log = std::make_unique<RunLog>(options.log, header, failed);
     }
     Teller teller(log.get());

@@ -41,7 +41,6 @@ public:
     double time() const { return run_ ? run_->time() : 0.0; }
     std::string phase() const;
     bool carrying() const { return driver_ && driver_->carrier; }
-    const Supervisor* supervisor() const { return terms_.supervisor; }
 
 private:
     void begin();

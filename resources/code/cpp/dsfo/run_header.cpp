@@ -19,11 +19,19 @@ std::vector<std::string> texts(const Hierarchy& hierarchy, const std::map<int, i
     return found;
 }
 
+std::string supervisor_of(const Hierarchy& hierarchy, const Terms& terms) {
+    if (terms.supervisor != nullptr) {
+        return terms.supervisor->name();
+    }
+    const bool agent = Levels(hierarchy, terms.levels).supervision == "automatic";
+    return agent ? RiskLimit().name() : "";
+}
+
 }  // namespace
 
 std::string header_of(
     const Hierarchy& hierarchy, const World& world, const Terms& terms,
-    const Dispatcher& dispatcher, const Script& script) {
+    const Script& script) {
     std::array<char, 256> node{};
     gethostname(node.data(), node.size() - 1);
     Object said;
@@ -35,13 +43,13 @@ std::string header_of(
     said.raw("avoid", json_list(terms.avoid));
     said.text("on_mismatch", terms.adopts ? "adopt" : "hold");
     const std::vector<std::pair<std::string, std::string>> levels(
-        script.levels.begin(), script.levels.end());
+        terms.levels.begin(), terms.levels.end());
     Object file;
     file.text("file", script.file).text("digest", script.digest);
     said.raw("by_hand", "false").raw("attended", terms.attended ? "true" : "false");
     said.raw("levels", json_map(levels));
     said.raw("script", script.file.empty() ? "null" : file.str());
-    said.text("supervisor", dispatcher.supervisor() ? dispatcher.supervisor()->name() : "");
+    said.text("supervisor", supervisor_of(hierarchy, terms));
     said.raw("policy", "null").raw("mqtt", "null");
     const std::string own = said.str();
     return own.substr(0, own.size() - 1) + "," + hierarchy.blueprint.identity + "}";

@@ -8,6 +8,6 @@ namespace dsfo {
 
 std::string header_of(
     const Hierarchy& hierarchy, const World& world, const Terms& terms,
-    const Dispatcher& dispatcher, const Script& script);
+    const Script& script = {});
 
 }  // namespace dsfo
