@@ -248,7 +248,9 @@ def test_code_that_fails_its_sweep_or_reaches_out_is_not_offered(
     assert [one.name for one in tmp_path.iterdir() if one.name.startswith("bait")] == ["bait"]
 
 
-def test_code_that_says_what_it_may_not_is_never_allowed(kitchen: Kitchen, shell: Shell) -> None:
+def test_code_that_says_what_it_may_not_is_never_allowed(
+    kitchen: Kitchen, shell: Shell, monkeypatch: pytest.MonkeyPatch
+) -> None:
     told = kitchen.written(Op_heat="import os\ndef op_heat(world):\n    yield\n")
     assert (told.status, "CUP/Op_heat: line 1: it imports os" in told.err) == (1, True)
     assert kitchen.written(Op_heat=HEAT).status == 0
@@ -261,3 +263,10 @@ def test_code_that_says_what_it_may_not_is_never_allowed(kitchen: Kitchen, shell
     file.write_text(HEAT)
     refused = shell("plugins", "allow", str(kitchen.rmm))
     assert (refused.status, "plugin.py is no generated function" in refused.err) == (2, True)
+    # Nothing of the folder is loaded from where it lies, also if it is named as one of plugins.
+    (kitchen.rmm / "plugin.py").unlink()
+    monkeypatch.setenv("SMSL_PLUGIN_PATH", str(kitchen.rmm))
+    listed = shell("plugins", "--format", "json").json
+    (fault,) = listed["faults"]
+    assert "are loaded from the user's folder" in fault["message"]
+    assert "rmm_cup" not in [one["name"] for one in listed["plugins"]]
