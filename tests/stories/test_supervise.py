@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QLabel
 
 from smsl_studio.dispatch.supervision.table import COMMANDS
 from smsl_studio.runlog.events import (
@@ -82,6 +83,12 @@ def _take_over_and_give_back(at: AtSupervise) -> None:
     assert not any(isinstance(event, GivenBack) for event in at.events)
     at.press(Key.Key_T, Key.Key_Return)
     at.person.qtbot.waitUntil(lambda: at.asked.startswith("Located: SB1 in State_cba."))
+    asking = at.pane.step_in.asking
+    (enter,) = (one for one in asking.findChildren(QLabel) if one.text() == "Enter")
+    assert enter.isVisible()
+    card.setFocus()
+    assert not enter.isVisible(), "Enter presses the card that has the focus"
+    asking.take_focus()
     at.press(Key.Key_Return)
     at.until_phase("Paused")
     assert any(isinstance(event, GivenBack) for event in at.events)

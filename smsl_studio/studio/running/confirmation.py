@@ -5,6 +5,7 @@ from __future__ import annotations
 from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtGui import QKeyEvent, QResizeEvent
 from PySide6.QtWidgets import (
+    QAbstractButton,
     QApplication,
     QBoxLayout,
     QFrame,
@@ -110,11 +111,14 @@ class ConfirmBox(QFrame):
         self._show_keys()
 
     def _show_keys(self) -> None:
-        """Name the keys where they act."""
+        """Name the keys where they act. Another button that has the focus takes Enter for
+        itself."""
         focus = QApplication.focusWidget()
-        act = self._anywhere or (focus is not None and self.isAncestorOf(focus))
+        inside = focus is not None and self.isAncestorOf(focus)
+        act = self._anywhere or inside
+        enters = inside or (act and not isinstance(focus, QAbstractButton))
         verb = self.decision is not None and bool(self.decision.verb)
-        for key, there in zip(self._keys, (act and verb, act), strict=True):
+        for key, there in zip(self._keys, (enters and verb, act), strict=True):
             key.setVisible(there)
 
     def _fit(self) -> None:
