@@ -57,6 +57,20 @@ def test_a_wrong_answer_is_asked_again_with_what_is_wrong() -> None:
     assert any(fault.startswith("R02") for fault in kept[2]["faults"])
 
 
+def test_a_server_writes_functions_and_code_that_reaches_out_is_asked_again() -> None:
+    def motion(line: str) -> str:
+        code = f"def op_plug(world):\n    yield\n    {line}\n"
+        return json.dumps({"functions": [{"operation": "LAMP/Op_Plug", "code": code}]})
+
+    answers = iter([*good_answers()[:3], motion("import os"), motion("yield from do(world, 'x')")])
+    with server(lambda handler, _: sent(handler, completion(next(answers)))) as (url, prompts):
+        made = chain(AnswerServer(url))
+    assert made.lacking == []
+    assert "LAMP/Op_Plug: line 3: it imports os" in prompts[4]
+    assert "    yield from do(world, 'x')\n" in made.files["rmm/LAMP.Op_Plug.py"]
+    assert "NotImplementedError" in made.files["rmm/LAMP.Op_Switch.py"]
+
+
 def test_after_three_repairs_a_stage_is_given_up() -> None:
     with server(lambda handler, _: sent(handler, completion("no"))) as (url, prompts):
         made = chain(AnswerServer(url))
