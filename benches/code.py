@@ -1,29 +1,84 @@
-"""Generated Python against Studio: 300 random blueprints under random scripts, and the samples.
+"""Generated code against Studio: Python on 300 random blueprints under random scripts, and with
+``--all`` C++ on the samples with their scripts and on 40 random ones, 10 of them with sanitizers.
 
 ``tests/generate`` compares a twentieth of them. Every log is verified, and told again.
 """
 
 from __future__ import annotations
 
+import sys
 import tempfile
 from collections.abc import Iterator
+from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
 import smsl_studio as smsl
 from benches.row import Row
 from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.errors import ReadError
+from smsl_studio.front.script.lines import script_of
+from smsl_studio.shipped import samples_dir
 from tests.front.any_run import any_run
+from tests.generate.built_programs import built, compared, compiled_engine
 from tests.generate.generated_runs import alike, ours, studio
 from tests.generate.spiced import asked_of, spiced, spiced_script
 
 RUNS = 300
+CPP_RUNS = range(2, 122, 3)
+SANITIZERS = ("-fsanitize=address,undefined", "-fno-sanitize-recover=undefined")
 
 
 def rows() -> Iterator[Row]:
     same = sum(_is_same(number) for number in range(RUNS))
     work = "random blueprints and scripts: the same events, and a log that is believed"
     yield Row(f"{RUNS} {work}", same, "runs", bound=str(RUNS))
+
+
+def all_rows() -> Iterator[Row]:
+    """Yield the rows of C++ too, which builds some 60 programs."""
+    yield from rows()
+    with tempfile.TemporaryDirectory() as name:
+        engine = compiled_engine(Path(name))
+        pairs = list(_samples())
+        same = sum(_is_same_cpp(engine, sample, script, {}) for sample, script in pairs)
+        yield Row(
+            "C++ on the samples and their scripts: the same", same, "runs", bound=f"{len(pairs)}"
+        )
+        same = sum(_is_same_cpp(engine, *_run(number)) for number in CPP_RUNS)
+        work = "C++ on random blueprints and scripts: the same, and a log that is believed"
+        yield Row(work, same, "runs", bound=f"{len(CPP_RUNS)}")
+    with tempfile.TemporaryDirectory() as name:
+        engine = compiled_engine(Path(name), *SANITIZERS)
+        some = CPP_RUNS[::4]
+        same = sum(_is_same_cpp(engine, *_run(number), *SANITIZERS) for number in some)
+        yield Row(
+            "the same with sanitizers (address, undefined)", same, "runs", bound=f"{len(some)}"
+        )
+
+
+def _samples() -> Iterator[tuple[Blueprint, bytes]]:
+    for path in sorted(samples_dir().glob("*.json")):
+        blueprint = smsl.read(path)
+        yield blueprint, b""
+        for script in sorted((samples_dir() / "scripts").glob("*.jsonl")):
+            if script.stem.split("-")[0] == path.stem.split("-")[0]:
+                with suppress(ReadError):
+                    script_of(script.read_bytes(), script.name, blueprint)
+                    yield blueprint, script.read_bytes()
+
+
+def _is_same_cpp(
+    engine: list[Path], blueprint: Blueprint, script: bytes, asked: dict[str, Any], *more: str
+) -> bool:
+    with tempfile.TemporaryDirectory() as name:
+        program = built(blueprint, Path(name), engine, *more)
+        try:
+            compared(program, blueprint, script, **asked)
+        except AssertionError as wrong:
+            print(f"{blueprint.file}: {wrong}", file=sys.stderr)
+            return False
+    return True
 
 
 def _is_same(number: int) -> bool:

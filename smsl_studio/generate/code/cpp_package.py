@@ -23,6 +23,7 @@ from smsl_studio.generate.code.identifiers import Namer
 from smsl_studio.generate.code.kept_parts import mark_key
 from smsl_studio.generate.code.templates import BY, remark, rendered
 from smsl_studio.library.bindings_file import BindingsFile
+from smsl_studio.seal.digest import sha256_hex
 from smsl_studio.shipped import resources_dir
 
 Json = Any
@@ -132,6 +133,7 @@ class CppPackage:
         return self._cpp(
             "blueprint.cpp",
             digests=request.digests,
+            file_digest=sha256_hex(self._blueprint.document.encoded()),
             record=request.record_digest,
             identity=pieces(header[1:-1]),
             branches=list(self._modules.values()),
@@ -289,6 +291,7 @@ class CppPackage:
             goal=remark(str(Address(root.name, root.activating))),
             edge=remark(str(edge)),
             function_count=count,
+            record=self._request.record_digest,
             branches=[
                 {
                     "module": self._modules[one.name],

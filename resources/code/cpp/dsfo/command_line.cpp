@@ -7,6 +7,7 @@
 
 #include "addresses.hpp"
 #include "player.hpp"
+#include "record.hpp"
 #include "remote_world.hpp"
 #include "run_header.hpp"
 
@@ -17,6 +18,7 @@ namespace {
 const char* const usage =
     "usage: run [--goal SB/State]... [--start SB/State]... [--avoid ADDRESS]... [--log LOG]\n"
     "           [--script FILE] [--seed NUMBER] [--on-mismatch hold|adopt] [--format text|json]\n"
+    "           [--record RECORD] [--blueprint FILE]\n"
     "           [--world table|remote] [--address unix:PATH|HOST:PORT] [--token-file FILE]\n";
 
 volatile std::sig_atomic_t asked_to_stop = 0;
@@ -35,6 +37,8 @@ struct Options {
     std::string address;
     std::string token_file;
     std::string script;
+    std::string record;
+    std::string blueprint;
     bool help = false;
     std::string wrong;
 };
@@ -53,7 +57,8 @@ Options options_of(const std::vector<std::string>& words) {
         {"--log", &found.log}, {"--seed", &found.seed}, {"--on-mismatch", &found.mismatch},
         {"--format", &found.format}, {"--world", &found.world},
         {"--address", &found.address}, {"--token-file", &found.token_file},
-        {"--script", &found.script}};
+        {"--script", &found.script}, {"--record", &found.record},
+        {"--blueprint", &found.blueprint}};
     if (words.empty() || words.front() != "run") {
         found.help = !words.empty() && (words.front() == "--help" || words.front() == "-h");
         found.wrong = found.help ? "" : "say what to do: run";
@@ -67,8 +72,8 @@ Options options_of(const std::vector<std::string>& words) {
             found.help = true;
             return found;
         }
-        if (name == "--policy" || name == "--record") {
-            found.wrong = name + " is not for C++: records are judged in generated Python";
+        if (name == "--policy") {
+            found.wrong = name + " is not for C++: policies are judged by generated Python";
             return found;
         }
         if (!list && !single.count(name)) {
@@ -231,6 +236,8 @@ int command_line(
     is_number(options.seed, terms.seed);
     terms.attended = !script.acts.empty();
     terms.levels = script.levels;
+    terms.refused =
+        start_refused(hierarchy.blueprint, options.record, options.blueprint);
     if (options.world == "table") {
         return carried_out(hierarchy, world, terms, options, script);
     }

@@ -66,6 +66,7 @@ void Dispatcher::begin() {
 std::string Dispatcher::refusal(Configuration& start, std::vector<Goal>& goals) const {
     std::string refused;
     start = start_configuration(hierarchy_, terms_.start, refused);
+    refused = terms_.refused.empty() ? refused : terms_.refused;
     if (refused.empty()) {
         goals = goals_of(hierarchy_, terms_.goals, refused);
     }

@@ -15,6 +15,7 @@ struct Terms {
     bool adopts = false;  // a mismatch is resolved by the only configuration that fits
     bool attended = false;  // somebody is there to decide and to answer
     std::map<std::string, std::string> levels;  // set before the start
+    std::string refused;  // why the run may not start, empty if it may
     std::function<void(const Task&)> asks;  // called with every question to people that opens
     Supervisor* supervisor = nullptr;  // asked before every operation, after all guards
 };

@@ -105,6 +105,8 @@ struct Blueprint {
     std::string findings;  // what inspection found
     std::string behaviour;
     std::string closure;
+    std::string file;  // SHA-256 of its file
+    std::string record;  // SHA-256 of the inspection record, empty without one
     std::string identity;  // the part of a log's header that is always the same, as JSON members
 
     int number_of(const std::string& branch) const;  // -1 if there is none
