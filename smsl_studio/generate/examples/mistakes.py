@@ -28,7 +28,7 @@ _LESS = 0.25
 _DOUBT, _MARGIN, _SHARES = 12.0, 10.0, 2.5
 """A way back that is not known from edges like it, and an edge that is left out, must make the
 rules that much shorter; one that is left out also by these shares of its operation's rule."""
-_COMPARED, _SMALL = 3, 100
+_COMPARED, _SMALL, _FEW = 3, 100, 5
 """So many repairs are compared by all their rules, in tables with at most so many edges. In larger
 ones the rules of one operation tell enough, and all of them take seconds."""
 Done = tuple[tuple[int, str, str], ...]
@@ -96,8 +96,8 @@ class _ReversalRepair:
         includes the values before.
 
         Such an edge has a way back, and no other leads where it does. The rules must be shorter
-        then, and no edge may lose its way back. If another one does lead there, and does what it
-        often does, the edge is left out.
+        then, and no edge may lose its way back. If one other does lead there, which is nowhere else
+        so, the edge is left out.
         """
         back = backward(table)
         does = {edge: _done(edge, exact) for edge in table.all_edges()}
@@ -106,6 +106,7 @@ class _ReversalRepair:
         for (operation, change), count in done.items():
             if count > exact:
                 doing[change].append(operation)
+        doubled = sum(len(ways) > 1 for ways in back.values())
         alone = [edge for edge, change in does.items() if done[edge.operation, change] == 1]
         if len(alone) > most_mistakes(table):
             return table
@@ -114,7 +115,7 @@ class _ReversalRepair:
             usual = doing[does[edge]]
             beside = [one for one in back[edge.source, edge.target] if one != edge.operation]
             if beside:
-                if any(one in usual for one in beside):
+                if doubled == 1 and any(one in usual for one in beside):
                     table = table.with_edge(edge.operation, edge.source, None)
                 continue
             names = [one for one in usual if edge.source not in table.edges[one]]
@@ -257,13 +258,15 @@ class _ReversalRepair:
 
 
 def _length(table: ExampleTable) -> float:
-    """Return how long the rules of a whole table are for each of its edges. Where each edge needs
-    a case of its own, that does not grow or shrink with the edges."""
+    """Return how long the rules of a whole table are for each of its edges. Where many edges need a
+    case of their own, rules tell nothing about a single one, and every table is as long."""
     try:
         rules = learnt_rules(table)
     except PlanningError:
         return float(table.count)
-    return (rules.cost + 4 * rules.cases) / table.count
+    if _FEW * rules.cases > table.count:
+        return 1.0
+    return (rules.cost + 4 * rules.cases) / (100 * table.count)
 
 
 def _done(edge: Example, exact: bool) -> Done:
