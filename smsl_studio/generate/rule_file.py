@@ -10,6 +10,7 @@ import itertools
 import re
 from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass
+from math import prod
 from typing import Any
 
 from smsl_studio.blueprint.properties.formula_text import FORM
@@ -218,6 +219,10 @@ class _RuleFile:
                     f"'for' of the rule {pattern} contains braces", pattern, _FOR
                 )
             lists.append(texts)
+        if prod(map(len, lists)) > MOST_OPERATIONS:
+            raise self._source.fault(
+                f"the rule {pattern} names more than {MOST_OPERATIONS:,} operations", pattern
+            )
         for chosen in itertools.product(*lists):
             yield dict(zip(told, chosen, strict=True))
 

@@ -26,6 +26,8 @@ _SHOWN = 200
 _ERROR = re.compile(r"\(at line (\d+), column (\d+)\)")
 _END = "(at end of document)"
 _LONG_NUMBER = re.compile(r"[0-9][0-9_]{4000}")
+_DOTTED = re.compile(r"""(?<![\w"'-])(?>(?:"[^"\n]*+"|[\w-]++)[ \t]*+\.[ \t]*+){30}""")
+"""A key of very many parts. Python needs time that grows with their square for it."""
 _RULE_BEGINS = re.compile(r"^[ \t]*\[\[[ \t]*rule[ \t]*\]\]", re.MULTILINE)
 
 
@@ -40,6 +42,8 @@ class RuleSource:
             raise self.fault("the rules are longer than 1 MB", "", "Rules are short: use 'for'.")
         try:
             self.text = raw.decode("utf-8")
+            if _DOTTED.search(self.text):
+                raise ValueError("a key has more than 30 parts")
             self.values: dict[str, Json] = tomllib.loads(self.text)
         except (ValueError, RecursionError) as error:
             raise _no_toml(error, self.text, file) from None

@@ -136,8 +136,13 @@ _MQTT = (
 
 def read_bindings(path: Path, project: str = "") -> BindingsFile:
     """Read a bindings file, which must lie below ``project`` if that is given. PluginError if it
-    is invalid."""
+    is invalid.
+
+    Rules of a blueprint have the same suffix, and often the same name. They bind nothing.
+    """
     text, values = read_toml(path, inside=project)
+    if {"facts", "rule"} <= values.keys() and values.keys().isdisjoint(_BindingsFile.model_fields):
+        return BindingsFile(text=text)
     try:
         file = _BindingsFile.model_validate(values)
         return BindingsFile(file.world, text, file.mqtt)

@@ -248,6 +248,17 @@ def test_rules_without_an_end_are_bounded() -> None:
     assert made.operations > 5_000
 
 
+def test_rules_that_name_very_much_are_refused_before_they_are_followed() -> None:
+    letters = [f"v{number}" for number in range(300)]
+    lists = "{" + ", ".join(f"{name} = {letters}" for name in "xyz") + "}"
+    many = RULE.replace("flip", "flip{x}{y}{z}").replace("cases", f"for = {lists}\ncases")
+    with pytest.raises(ReadError, match="names more than 100,000 operations"):
+        rules(HEAD + many)
+    with pytest.raises(ReadError, match="a key has more than 30 parts"):
+        rules("a." * 30_000 + "a = 1\n")
+    rules(HEAD + RULE + f"# {'a' * 100_000}\n")
+
+
 @pytest.mark.parametrize(("limit", "most"), [("MAX_VALUES", 3_000), ("MAX_CHARACTERS", 200_000)])
 def test_what_one_file_cannot_hold_is_left_out(
     limit: str, most: int, monkeypatch: pytest.MonkeyPatch

@@ -19,6 +19,7 @@ from smsl_studio.library.loaded import Loaded
 from smsl_studio.library.loading import discover
 from tests.plugin_folder import blueprint_of, write_plugin
 
+RULES = 'facts = [{name = "a", values = ["0", "1"]}]\nstart = ["0"]\n[[rule]]\noperation = "x"\n'
 PLUGIN = """
 def register(library):
     @library.world("w", engine="table")
@@ -326,3 +327,11 @@ def test_a_broken_bindings_file_names_its_line(tmp_path: Path, text: str, line: 
         _file(tmp_path, text)
     assert caught.value.place is not None
     assert caught.value.place.line == line
+
+
+def test_rules_beside_a_blueprint_bind_nothing(tmp_path: Path) -> None:
+    (tmp_path / "hanoi.toml").write_text(RULES)
+    assert not bindings_beside(str(tmp_path / "hanoi.json")).worlds
+    (tmp_path / "hanoi.toml").write_text(f"{RULES}[world.hanoi.operations]\n")
+    with pytest.raises(PluginError, match="Extra inputs"):
+        bindings_beside(str(tmp_path / "hanoi.json"))
