@@ -28,7 +28,7 @@ _LESS = 0.25
 _DOUBT, _MARGIN, _SHARES = 12.0, 10.0, 2.5
 """A way back that is not known from edges like it, and an edge that is left out, must make the
 rules that much shorter; one that is left out also by these shares of its operation's rule."""
-_COMPARED, _SMALL, _FEW = 3, 100, 5
+_COMPARED, _SMALL, _FEW, _SEVERAL = 3, 100, 5, 3
 """So many repairs are compared by all their rules, in tables with at most so many edges. In larger
 ones the rules of one operation tell enough, and all of them take seconds."""
 Done = tuple[tuple[int, str, str], ...]
@@ -96,7 +96,8 @@ class _ReversalRepair:
         includes the values before.
 
         Such an edge has a way back, and no other leads where it does. The rules must be shorter
-        then, and no edge may lose its way back. If one other does lead there, which is nowhere else
+        then, if the edge does not change what no other of its operation changes, and no edge may
+        lose its way back. If one other does lead there, which is nowhere else
         so, the edge is left out.
         """
         back = backward(table)
@@ -123,9 +124,11 @@ class _ReversalRepair:
                 continue
             after = table.with_edge(edge.operation, edge.source, None)
             after = after.with_edge(names[0], edge.source, edge.target)
+            if len(self._mismatches(after)) > len(self._mismatches(table)):
+                continue
             if (
-                len(self._mismatches(after)) <= len(self._mismatches(table))
-                and self._gain(table, after, edge.operation, names[0]) > _GAIN
+                _is_strange(table, edge)
+                or self._gain(table, after, edge.operation, names[0]) > _GAIN
             ):
                 table = after
         return table
@@ -275,3 +278,14 @@ def _done(edge: Example, exact: bool) -> Done:
         for digit, value in enumerate(edge.target)
         if edge.source[digit] != value
     )
+
+
+def _is_strange(table: ExampleTable, edge: Example) -> bool:
+    """Return whether an edge changes other facts than the many other edges of its operation."""
+    own = [
+        {digit for digit, _, _ in _done(Example(edge.operation, source, target), False)}
+        for source, target in table.edges[edge.operation].items()
+        if source != edge.source
+    ]
+    changed = {digit for digit, _, _ in _done(edge, False)}
+    return len(own) > _SEVERAL and all(changed.isdisjoint(one) for one in own)
