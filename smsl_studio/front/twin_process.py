@@ -36,10 +36,11 @@ Watch = Callable[[float, tuple[float, ...]], None]
 ``Host.poses``), for some moments of a forecast."""
 CHILD = "smsl_studio.front.twin_child"
 OPEN_LIMIT = 60.0
-"""The time (s) without a word from the child while it loads the plugins or builds the world. All
-limits are wall time in which it could have worked."""
+"""The time (s) without a word from the child while it loads the plugins, and until the first word
+of a forecast for which it may have to build the world. All limits are wall time in which it could
+have worked."""
 HANG_LIMIT = 10.0
-"""The time (s) without a word from the child while it carries an operation out."""
+"""The time (s) without a word from the child in a forecast once its world stands."""
 LOOK = 0.05
 """The wall time (s) between two looks at the child and at a stop."""
 
@@ -57,6 +58,8 @@ class TwinProcess:
         self._child: Child | None = None
         self._owed: str = ""
         """The verb of a command whose answer nobody has read yet."""
+        self._stands = False
+        """Whether the child has a world. It builds another one after a forecast that broke."""
         self._lost = 0
         self._why = ""
         self._closing = False
@@ -134,7 +137,9 @@ class TwinProcess:
             self._owed = str(verb)
             frame = self._heard(self._child, watch)
             if frame.kind == "ok":
-                return self._codec.decode(frame.body)
+                found = self._codec.decode(frame.body)
+                self._stands = found is None or found.verdict != NONE
+                return found
             raise NoAnswer(f"it says {frame.kind}")
         except TimeoutError as error:
             raise self._lose(f"did not answer for {error}") from None
@@ -178,7 +183,7 @@ class TwinProcess:
         """Return the frame that ends the answer, and tell ``watch`` what comes before it.
         TimeoutError with the time if nothing is heard for too long."""
         loading = self._owed == "prepare"
-        silence = Patience(OPEN_LIMIT)
+        silence = Patience(HANG_LIMIT if self._stands else OPEN_LIMIT)
         child.starved()  # only time from now on counts
         while True:
             frame = child.heard(LOOK)
@@ -190,8 +195,9 @@ class TwinProcess:
                     raise self._lose(f"broke: {CRASHED.decode(frame.body)}")
                 return frame
             if frame is not None:
-                silence = Patience(OPEN_LIMIT if loading else HANG_LIMIT)
                 self._hear(frame, loading, watch)
+                self._stands = not loading
+                silence = Patience(HANG_LIMIT if self._stands else OPEN_LIMIT)
             with starving(child.starved()):
                 heed()
             silence.look(shut_out=child.shut_out)
@@ -221,7 +227,7 @@ class TwinProcess:
         return HostError(f"the forecast process {words}")
 
     def _end(self) -> None:
-        child, self._child, self._owed = self._child, None, ""
+        child, self._child, self._owed, self._stands = self._child, None, "", False
         if child is not None:
             with unheeding():
                 child.kill()

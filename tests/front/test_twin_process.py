@@ -257,3 +257,27 @@ def test_nothing_that_the_process_says_is_believed_unchecked(
             assert told.reason.startswith(f"the forecast process {words}"), told.reason
             assert liar.killed
     assert HANG_LIMIT < OPEN_LIMIT
+
+
+def test_only_a_forecast_that_builds_the_world_has_the_time_for_that(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    clock = [0.0]
+    monkeypatch.setattr(
+        "smsl_studio.host.patience.time", SimpleNamespace(monotonic=lambda: clock[0])
+    )
+    blueprint = read(SAMPLE)
+    for verdict, limit in ((AGREES, HANG_LIMIT), ("none", OPEN_LIMIT)):
+        with case("the forecast before", verdict):
+            liar = Liar(clock, "", b"")
+            body = answer_of(blueprint).encode(Prediction(verdict))
+            told = SimpleNamespace(kind="loads", body=TOLD.encode(()))
+            # From the last one on: the plugins are loaded, and one forecast is made.
+            liar._ready = [SimpleNamespace(kind="ok", body=body), told, *liar._ready]
+            monkeypatch.setattr(twin_process, "start_child", lambda _, one=liar: one)
+            twin = TwinProcess(RunRequest(blueprint))
+            asked = ({"SB1": "State_aa"}, Address("SB1", "State_aa", "Op_1b"))
+            assert twin.predict(*asked).verdict == verdict
+            began = clock[0]
+            assert "did not answer for " in twin.predict(*asked).reason
+            assert limit < clock[0] - began < limit + 1.0
