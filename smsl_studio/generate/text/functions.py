@@ -6,11 +6,12 @@ read and allowed it.
 
 from __future__ import annotations
 
-import ast
 import json
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from itertools import islice
+from keyword import iskeyword
 from typing import Annotated, Any
 
 from pydantic import BaseModel, ConfigDict, Field, StringConstraints
@@ -99,12 +100,14 @@ def _value(note: FactNote | None, value: str) -> str:
 
 
 def file_names(needed: Iterable[str]) -> dict[str, str]:
-    """Return, by operation, the name of its file, such as ``LEG.Op_Fix.py``. Names that differ by
-    case only count as equal."""
+    """Return, by operation, the name of its file, such as ``LEG.Op_Fix.py``. It begins with a
+    letter or a digit, as ``plugin.toml`` wants it. Names that differ by case alone count as
+    equal."""
     found: dict[str, str] = {}
     taken: set[str] = set()
     for operation in needed:
-        stem = re.sub(r"[^A-Za-z0-9_.-]", "_", operation.replace("/", ".", 1)).lstrip(".")
+        stem = re.sub(r"[^A-Za-z0-9_.-]", "_", operation.replace("/", ".", 1)).lstrip("._-")
+        stem = stem or "operation"
         name, number = stem[:LONGEST_STEM], 1
         while name.casefold() in taken:
             number += 1
@@ -132,14 +135,8 @@ def faults_of(functions: Functions, needed: Mapping[str, NeededFunction]) -> lis
         if one.operation not in needed:
             found.append(f"{one.operation} needs no function")
         elif one.code:
-            faults = [f"line {fault.line}: {fault.sentence}" for fault in code_faults(one.code)]
-            found += [f"{one.operation}: {fault}" for fault in faults[:MOST_FAULTS]]
-            if faults:
-                continue
-            tree = ast.parse(one.code)
-            names = [part.name for part in tree.body if isinstance(part, ast.FunctionDef)]
-            if function_name(one.operation) not in names:
-                found.append(f"{one.operation}: it has no function {function_name(one.operation)}")
+            faults = islice(code_faults(one.code, function_name(one.operation)), MOST_FAULTS)
+            found += [f"{one.operation}: line {fault.line}: {fault.sentence}" for fault in faults]
     return found
 
 
@@ -161,8 +158,8 @@ def function_name(operation: str) -> str:
     """Return the name of the function of an operation: ``Op_FixLeg`` is done by ``op_fix_leg``."""
     name = operation.rpartition("/")[2]
     name = re.sub(r"(?<=[a-z0-9])(?=[A-Z])", "_", name).lower()
-    name = re.sub(r"[^a-z0-9]+", "_", name).strip("_")
-    return name if name[:1].isalpha() else f"op_{name}"
+    name = re.sub(r"[^a-z0-9]+", "_", name).strip("_")[:LONGEST_STEM]
+    return name if name[:1].isalpha() and not iskeyword(name) else f"op_{name}"
 
 
 def _skeleton(operation: str, title: str) -> str:
@@ -201,7 +198,9 @@ def functions_manifest(names: Mapping[str, str], called: str) -> str:
 
 
 def _toml(text: str) -> str:
-    return json.dumps(text, ensure_ascii=True)
+    """Return a text of TOML in ASCII. TOML knows no pairs of surrogates, which JSON writes."""
+    letters = (f"\\U{ord(one):08x}" if ord(one) > 0xFFFF else json.dumps(one)[1:-1] for one in text)
+    return f'"{"".join(letters)}"'
 
 
 def codes_of(files: Sequence[tuple[str, str]], names: Mapping[str, str]) -> Functions:

@@ -163,8 +163,9 @@ def op_take_ring(world):
 - The end of the function says that it is done; the facts of the world are then read, and must be
   those of the target. return False, or an error, says that it failed.
 - yield from do(world, "NAME") does an operation that the world has; they are listed below, and
-  {x} stands for a value. It may read what has no _ at the beginning of its name. It imports
-  nothing, opens nothing, asks no network, starts nothing.
+  {x} stands for a value. It may read what has no _ at the beginning of its name. It sets no
+  attribute, and no item but of its own lists and dicts. It imports nothing, opens nothing, asks no
+  network, starts nothing.
 - There are also range, len, abs, min, max, round, sum, sorted, enumerate, zip, any, all, float,
   int, str, bool, list, dict, tuple, set, math, RuntimeError and ValueError. Nothing else is there.
 A person reads the code and allows it. Then each operation is tried in a simulation, and only an

@@ -14,13 +14,22 @@ from smsl_studio.generate.text.blueprint_answer import blueprint_of_answer
 from smsl_studio.generate.text.by_hand_provider import AnswerFolder
 from smsl_studio.generate.text.equipment import NeededEquipment, read_equipment_page
 from smsl_studio.generate.text.expert_text import read_text
-from smsl_studio.generate.text.functions import file_names
+from smsl_studio.generate.text.functions import (
+    Functions,
+    NeededFunction,
+    file_names,
+    function_files,
+    functions_manifest,
+)
 from smsl_studio.generate.text.provider import Matter, StageQuestion
 from smsl_studio.generate.text.step_numbers import numbered
 from smsl_studio.generate.text.step_page import step_page
 from smsl_studio.generate.text.step_reader import read_steps
 from smsl_studio.generate.text.steps import Remedy
 from smsl_studio.inspection.inspect import inspect
+from smsl_studio.library.generated_functions import is_skeleton
+from smsl_studio.library.generated_reach import parsed
+from smsl_studio.library.manifest import read_manifest
 
 PROTOCOL = b"""The nurse fixes the leg. If it moves, fix it again.
 Match bone and scan:
@@ -98,3 +107,18 @@ def test_a_remedy_that_a_person_does_is_still_theirs_on_the_page() -> None:
 def test_files_of_functions_have_names_of_their_own() -> None:
     names = file_names(["A/Op x", "A/Op_x", "A/op_X", "A/../b"])
     assert list(names.values()) == ["A.Op_x.py", "A.Op_x_2.py", "A.op_X_3.py", "A..._b.py"]
+
+
+def test_the_manifest_of_functions_is_read_whatever_operations_are_called(tmp_path: Path) -> None:
+    operations = ["\u00c4CUP/Op_fill", "\u00c4/\u00d6", "_A/pass", "A/\U0001d504", f"A/{'o' * 900}"]
+    names = file_names(operations)
+    assert list(names.values())[:3] == ["CUP.Op_fill.py", "operation.py", "A.pass.py"]
+    file = tmp_path / "plugin.toml"
+    file.write_text(functions_manifest(names, "cup"), "utf-8")
+    manifest = read_manifest(file)
+    assert [(one.operation, one.file) for one in manifest.generated] == list(names.items())
+    needed = {operation: NeededFunction(operation) for operation in operations}
+    for one, (_, text) in zip(
+        manifest.generated, function_files(Functions(), needed, names, {}), strict=True
+    ):
+        assert is_skeleton(parsed(text, one.file, one.function))
