@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import ast
 import builtins
-import inspect
 import math
 from collections.abc import Callable
 from pathlib import Path
@@ -25,6 +24,8 @@ if TYPE_CHECKING:
 
 TIMEOUT = 60.0
 """The simulated seconds after which a generated function is given up."""
+REFUSED = b"refused\0"
+"""Goes before the bytes of a function that is not loaded, in its digest."""
 DO = "do"
 """The name by which generated code asks for an operation that its world has."""
 Operations = Callable[[Any, str], Steps]
@@ -34,33 +35,50 @@ Operations = Callable[[Any, str], Steps]
 def register_generated(
     library: OperationLibrary, functions: tuple[GeneratedFunction, ...], sources: Sources
 ) -> None:
-    """Add generated functions to a library. Skeletons are left out. PluginError, with its file and
-    line, if one says what it may not."""
+    """Add generated functions to a library. Skeletons are left out. One that says what it may not
+    raises that when it is called, with file and line; it does not keep the others away. PluginError
+    if a file is missing."""
     taken: set[str] = set()
     for one in functions:
         file = str(sources.folder / one.file)
         raw = sources.modules.get(one.file)
         if raw is None:
             raise PluginError(f"the file {one.file} is missing", Place(file, 1, 1))
-        code = read_code(raw, file)
-        tree = parsed(code, file)
-        if is_skeleton(tree):
-            continue
+        code = digest_of(one.operation, raw)
+        try:
+            tree = parsed(read_code(raw, file), file, one.function)
+            if is_skeleton(tree):
+                continue
+            function = _function(tree, one, file)
+        except PluginError as error:
+            function = _refusing(error)
+            # Whatever this code has passed before, it was passed by code that could be loaded.
+            code = digest_of(one.operation, REFUSED + raw)
         name = one.function
         while name in taken:
             name += "_"
         taken.add(name)
         library.operations.append(
             OperationEntry(
-                function=_function(tree, one, file),
+                function=function,
                 name=f"{library.name}.{name}",
                 pattern=read_pattern(literal_pattern(one.operation), {}),
                 signature=Signature({}, frozenset(), False),
                 stop="hold",
                 timeout=TIMEOUT,
-                code=digest_of(one.operation, raw),
+                code=code,
             )
         )
+
+
+def _refusing(error: PluginError) -> Callable[..., Steps]:
+    """Return a function that says why there is none."""
+
+    def refused(world: Any, operations: Operations) -> Steps:
+        raise error
+        yield
+
+    return refused
 
 
 def digest_of(operation: str, raw: bytes) -> str:
@@ -106,16 +124,11 @@ def _function(tree: ast.Module, one: GeneratedFunction, file: str) -> Callable[.
         "math": math,
     }
     module = ast.Module(body=list(body), type_ignores=[])
-    exec(compile(module, str(Path(file)), "exec"), names)
-    made = names.get(one.function)
-    if not inspect.isgeneratorfunction(made):
-        raise PluginError(
-            f"it has no function {one.function} with a yield",
-            Place(file, 1, 1),
-            f"Write def {one.function}(world): and a yield wherever the world goes on for a tick.",
-        )
-    if made.__code__.co_argcount != 1:
-        raise PluginError(f"{one.function} takes the world alone", Place(file, 1, 1))
+    try:
+        exec(compile(module, str(Path(file)), "exec"), names)
+    except (RecursionError, MemoryError):  # it was just compiled, but part by part
+        raise PluginError("the code is nested too deeply", Place(file, 1, 1)) from None
+    made = names[one.function]
 
     def motion(world: Any, operations: Operations) -> Steps:
         names[DO] = lambda _, name: trusted(operations(world, str(name)))

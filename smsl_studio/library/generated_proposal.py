@@ -64,7 +64,7 @@ class GeneratedProposal:
             raw = self.files.get(one.file)
             if raw is None:
                 raise PluginError(f"the file {one.file} is missing in {self.folder}")
-            if not is_skeleton(parsed(read_code(raw, file), file)):
+            if not is_skeleton(parsed(read_code(raw, file), file, one.function)):
                 yield one.operation
 
     def difference(self) -> str:

@@ -1,17 +1,22 @@
-"""What generated code may not say, found in its text before any of it is compiled.
+"""What generated code may not say, found in its text before any of it runs.
 
 A generated function gets one thing, the world. It has no way to a module, a file or a process: it
-imports nothing, and it reads no name that begins with ``_`` and no attribute that leads to the
-frames and modules of others. This is the first of three walls. The second looks at what the code
-does while it runs (``generated_watch``), the third is the kernel's (``host/shut_in``).
+imports nothing, it reads no name that begins with ``_`` and no attribute that leads to the frames
+and modules of others, and it sets no attribute and no item but those of its own lists and dicts:
+who could replace a method of the world could fake its own sweep. This is the first of three walls.
+The second looks at what the code does while it runs (``generated_watch``), the third is the
+kernel's (``host/shut_in``).
 """
 
 from __future__ import annotations
 
 import ast
 import builtins
+import inspect
+import warnings
 from collections.abc import Iterator
 from dataclasses import dataclass
+from types import CodeType
 
 from smsl_studio.errors import Place, PluginError
 
@@ -37,6 +42,7 @@ _KINDS = (
     ast.Try, ast.ExceptHandler, ast.Assert, ast.Lambda, ast.expr_context, ast.operator,
     ast.unaryop, ast.boolop, ast.cmpop,
 )  # fmt: skip
+_NO_PYTHON = (SyntaxError, ValueError, RecursionError, MemoryError)
 _LEADING_OUT = ("gi_", "f_", "cr_", "ag_", "tb_", "co_", "func_")
 _TEXT_MACHINES = frozenset(("format", "format_map"))
 """They read attributes that stand in a text."""
@@ -60,30 +66,105 @@ class CodeFault:
     sentence: str
 
 
-def parsed(text: str, file: str) -> ast.Module:
-    """Return the tree of generated code that says nothing forbidden. PluginError, with its first
-    line, for any other."""
-    fault = next(code_faults(text), None)
+def parsed(text: str, file: str, function: str = "") -> ast.Module:
+    """Return the tree of generated code that says nothing forbidden and has a ``function``.
+    PluginError, with its first line, for any other."""
+    fault = next(code_faults(text, function), None)
     if fault is not None:
         advice = "Generated code asks its world alone. Take this out, or write a plugin yourself."
         raise PluginError(fault.sentence, Place(file, fault.line, 1), advice)
     return ast.parse(text)
 
 
-def code_faults(text: str) -> Iterator[CodeFault]:
-    """Yield what generated code may not say, in the order of its lines."""
+def code_faults(text: str, function: str = "") -> Iterator[CodeFault]:
+    """Yield what generated code may not say, in the order of its lines. If that is nothing, yield
+    why it cannot be compiled, or why its ``function`` is no motion. Nothing of it runs."""
     if len(text) > LONGEST_CODE:
         yield CodeFault(1, f"the code has more than {LONGEST_CODE:,} characters")
         return
     try:
         tree = ast.parse(text)
-    except (SyntaxError, ValueError, RecursionError, MemoryError) as error:
-        line = getattr(error, "lineno", None) or 1
-        words = getattr(error, "msg", None) or str(error)
-        yield CodeFault(line, f"the code is no Python: {words}")
+    except _NO_PYTHON as error:
+        yield _no_python(error, 1)
         return
-    found = [*_top(tree), *_deep(tree)]
-    yield from sorted(found, key=lambda one: one.line)
+    found = [*_top(tree), *_deep(tree), *_set(tree)]
+    if found:
+        yield from sorted(found, key=lambda one: one.line)
+        return
+    made: dict[str, CodeType] = {}
+    for one in tree.body:
+        if isinstance(one, ast.FunctionDef):
+            try:
+                made[one.name] = _compiled(one)
+            except _NO_PYTHON as error:
+                yield _no_python(error, one.lineno)
+                return
+    if function:
+        yield from _no_motion(made.get(function), function)
+
+
+def _no_python(error: BaseException, line: int) -> CodeFault:
+    words = getattr(error, "msg", None) or str(error) or "it is too large"
+    return CodeFault(getattr(error, "lineno", None) or line, f"the code is no Python: {words}")
+
+
+def _compiled(one: ast.FunctionDef) -> CodeType:
+    """Return the code of a function, which nobody calls."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        whole = compile(ast.Module(body=[one], type_ignores=[]), "generated", "exec")
+    found = (part for part in whole.co_consts if isinstance(part, CodeType))
+    return next(part for part in found if part.co_name == one.name)
+
+
+def _no_motion(made: CodeType | None, function: str) -> Iterator[CodeFault]:
+    if made is None:
+        yield CodeFault(1, f"it has no function {function}")
+    elif not made.co_flags & inspect.CO_GENERATOR:
+        yield CodeFault(made.co_firstlineno, f"{function} has no yield, where the world goes on")
+    elif made.co_argcount != 1:
+        yield CodeFault(made.co_firstlineno, f"{function} takes more or less than the world")
+
+
+def _set(tree: ast.Module) -> Iterator[CodeFault]:
+    """Yield where something is set that is not the function's own."""
+    for top in tree.body:
+        if not isinstance(top, ast.FunctionDef):
+            continue
+        own = _own_names(top)
+        for one in ast.walk(top):
+            if isinstance(getattr(one, "ctx", None), ast.Load | None):
+                continue
+            if isinstance(one, ast.Attribute):
+                yield CodeFault(one.lineno, f"it sets {one.attr} of something that is not its own")
+            elif isinstance(one, ast.Subscript) and getattr(one.value, "id", None) not in own:
+                yield CodeFault(one.lineno, "it sets an item of something that is not its own")
+
+
+def _own_names(top: ast.FunctionDef) -> set[str]:
+    """Return the names that stand for new lists and dicts alone, wherever they are set."""
+    new: set[int] = set()
+    for one in ast.walk(top):
+        if isinstance(one, ast.Assign | ast.AnnAssign) and _is_new(one.value):
+            targets = one.targets if isinstance(one, ast.Assign) else [one.target]
+            new.update(map(id, targets))
+        elif isinstance(one, ast.AugAssign):
+            new.add(id(one.target))  # what the name stands for stays the same, or is new
+    own: dict[str, bool] = {}
+    for one in ast.walk(top):
+        if isinstance(one, ast.Name) and isinstance(one.ctx, ast.Store):
+            own[one.id] = own.get(one.id, True) and id(one) in new
+        elif isinstance(one, ast.arg):
+            own[one.arg] = False
+    return {name for name, is_own in own.items() if is_own}
+
+
+def _is_new(value: ast.expr | None) -> bool:
+    if isinstance(value, ast.BinOp):
+        return _is_new(value.left) or _is_new(value.right)
+    if isinstance(value, ast.Call) and isinstance(value.func, ast.Name):
+        return value.func.id in ("list", "dict", "sorted")
+    return isinstance(value, ast.List | ast.Dict | ast.ListComp | ast.DictComp)
 
 
 def _top(tree: ast.Module) -> Iterator[CodeFault]:
@@ -147,6 +228,13 @@ def _forbidden(one: ast.AST) -> str:
         return _hidden(one.attr)
     if isinstance(one, ast.ExceptHandler):
         return _hidden(one.name or "")
+    if isinstance(one, ast.Try):
+        # Python compiles a finally once for each way into it, so that a small file could fill the
+        # memory of who checks it.
+        leaving = (ast.Try, ast.Return, ast.Break, ast.Continue)
+        inside = (part for last in one.finalbody for part in ast.walk(last))
+        if any(isinstance(part, leaving) for part in inside):
+            return "its finally tries or leaves something"
     return ""
 
 

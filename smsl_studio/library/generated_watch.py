@@ -98,10 +98,21 @@ def watched(begin: Callable[[], Steps]) -> Steps:
     return told if told is False or type(told) is str else None
 
 
+_UNENDING: list[Steps] = []
+"""Code that goes on where it is told to end. It is kept: Python would tell it to end again, not
+watched, and print a traceback."""
+
+
 def _close(steps: Steps) -> None:
+    """Tell the code to end. RuntimeError, in one sentence, if it goes on."""
     _WATCH.on = True
     try:
         steps.close()
+    except RuntimeError:
+        if steps.gi_frame is None:
+            raise
+        _UNENDING.append(steps)
+        raise RuntimeError("the code goes on where it is told to end") from None
     finally:
         _WATCH.on = False
 

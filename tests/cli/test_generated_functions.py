@@ -28,6 +28,9 @@ class Kitchen:
     def __init__(self):
         self.full = self.hot = "0"
 
+    def heat(self):
+        self.hot = "1"
+
     def open_door(self, path):
         return open(path).read()
 
@@ -82,7 +85,7 @@ CUP = {
         "State_11": {},
     }
 }
-HEAT = 'def op_heat(world):\n    yield\n    world.hot = "1"\n'
+HEAT = "def op_heat(world):\n    yield\n    world.heat()\n"
 LIFT = """
 def op_lift_small(world):
     for _ in range(10):
@@ -143,7 +146,7 @@ def test_a_missing_function_is_asked_read_allowed_swept_and_offered(
     assert made.status == 0, made.err
     assert "2 operations have no function" in made.err
     shown = shell("plugins", "allow", str(kitchen.rmm))
-    assert (shown.status, '+    world.hot = "1"' in shown.out) == (1, True)
+    assert (shown.status, "+    world.heat()" in shown.out) == (1, True)
     assert "it is not loaded" in shown.err
     assert not (home / "plugins").exists()
     other = shell("plugins", "allow", str(kitchen.rmm), "--read", "0" * 12)
@@ -231,7 +234,7 @@ def test_code_that_fails_its_sweep_or_reaches_out_is_not_offered(
     kitchen.file.write_text(json.dumps({"CUP": cup}))
     codes = {}
     for name, body in zip(names, bodies, strict=True):
-        done = "" if body == "pass" else "\n    world.hot = '1'"
+        done = "" if body == "pass" else "\n    world.heat()"
         codes[name] = f"def {name.lower()}(world):\n    yield\n    {body}{done}\n"
     assert kitchen.written(**codes).status == 0
     assert kitchen.allowed().status == 0
@@ -255,7 +258,11 @@ def test_code_that_says_what_it_may_not_is_never_allowed(
     assert (told.status, "CUP/Op_heat: line 1: it imports os" in told.err) == (1, True)
     assert kitchen.written(Op_heat=HEAT).status == 0
     file = kitchen.rmm / "CUP.Op_heat.py"
-    file.write_text(f"{file.read_text()}    open('/etc/passwd')\n")
+    kept = file.read_text()
+    file.write_text(f"{kept}    break\n")
+    refused = shell("plugins", "allow", str(kitchen.rmm))
+    assert (refused.status, "CUP.Op_heat.py:7:1: the code is no Python" in refused.err) == (2, True)
+    file.write_text(f"{kept}    open('/etc/passwd')\n")
     refused = shell("plugins", "allow", str(kitchen.rmm))
     assert refused.status == 2
     assert "CUP.Op_heat.py:7:1: it asks for open" in refused.err
