@@ -6,6 +6,7 @@ and told when the code next gives the turn back.
 
 from __future__ import annotations
 
+import inspect
 import sys
 from collections.abc import Callable, Generator
 from types import FrameType
@@ -109,7 +110,7 @@ def _close(steps: Steps) -> None:
     try:
         steps.close()
     except RuntimeError:
-        if steps.gi_frame is None:
+        if inspect.getgeneratorstate(steps) == inspect.GEN_CLOSED:
             raise
         _UNENDING.append(steps)
         raise RuntimeError("the code goes on where it is told to end") from None
