@@ -76,7 +76,7 @@ def refusal_of_place(
     real: str, project: str, what: str = "the import", suffixes: Iterable[str] = SUFFIXES
 ) -> RefusedName | None:
     """Return why a file (by its real path) must not be read for a project. None if it may."""
-    if not _is_below(real, project):
+    if not is_below(real, project):
         return RefusedName(
             f"{what} leads out of the project",
             f"Keep it below {project}, or put a file smsl.toml into the folder that holds both.",
@@ -88,6 +88,7 @@ def refusal_of_place(
     return None
 
 
-def _is_below(real: str, folder: str) -> bool:
+def is_below(real: str, folder: str) -> bool:
+    """Return whether a real path is below the real path of a folder."""
     real, folder = os.path.normcase(real), os.path.normcase(folder)
     return real.startswith(os.path.join(folder, ""))  # noqa: PTH118

@@ -37,7 +37,8 @@ def add_text_arguments(parser: ArgumentParser) -> None:
 def generate_of_text(options: argparse.Namespace, out: Output) -> int:
     """Generate. 0: the blueprint is written and its goal can be reached; 1: a stage has no answer,
     the goal cannot be reached, or a requirement is not fulfilled."""
-    from smsl_studio.front.generated_text import PEOPLE, generate_text
+    from smsl_studio.front.chain_files import PEOPLE
+    from smsl_studio.front.generated_text import generate_text
 
     made = generate_text(
         options.files,
@@ -66,6 +67,8 @@ def generate_of_text(options: argparse.Namespace, out: Output) -> int:
             out.line(one_line(f"look again: {words}"))
         for address in made.uncited[:_SHOWN]:
             out.line(one_line(f"no source: {address}"))
+    if made.former:
+        note(one_line(f"what stood there before and differs is in {made.former}"))
     if made.blueprint is None and Path(options.output).is_file():
         note(f"{options.output} is of an earlier call")
     if made.blueprint is not None and not made.goal_reached:

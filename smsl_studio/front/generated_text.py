@@ -12,13 +12,13 @@ from typing import TYPE_CHECKING, Any
 
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.errors import UsageError
+from smsl_studio.front.chain_files import REQUIREMENTS, refuse_places, write_chain
 from smsl_studio.front.inputs import read
 from smsl_studio.generate.text.chain import KEPT, TextChain, run_chain, run_functions
 from smsl_studio.generate.text.expert_text import ExpertText, text_at
-from smsl_studio.generate.text.functions import functions_manifest
 from smsl_studio.generate.text.language_words import is_foreign
 from smsl_studio.generate.text.people_script import people_script
-from smsl_studio.generate.text.prompts import FILES, PSM, RMM
+from smsl_studio.generate.text.prompts import FILES, PSM
 from smsl_studio.generate.text.providers import BY_HAND, READER, provider_named
 from smsl_studio.generate.text.requirements import (
     HOLDS,
@@ -31,8 +31,7 @@ from smsl_studio.generate.text.source_folder import ChosenSources, chosen_source
 from smsl_studio.generate.text.text_folder import read_folder
 from smsl_studio.host.plugin_offers import describe
 from smsl_studio.inspection.rules.sources import uncited
-from smsl_studio.library.manifest import MANIFEST
-from smsl_studio.smsl.files import read_content, save_document
+from smsl_studio.smsl.files import read_content
 from smsl_studio.smsl.forms import SUFFIXES
 
 if TYPE_CHECKING:
@@ -40,7 +39,6 @@ if TYPE_CHECKING:
 
 Json = Any
 Name = str | os.PathLike[str]
-PEOPLE, REQUIREMENTS = "people.jsonl", "requirements.json"
 
 
 @dataclass(frozen=True)
@@ -67,6 +65,8 @@ class GeneratedText:
     requirements: tuple[RequirementVerdict, ...] = ()
     left_out: tuple[str, ...] = ()
     """Sentences about what of a folder of sources was left out."""
+    former: str = ""
+    """The folder with the files that stood there before and differ; empty if there are none."""
 
     @property
     def is_good(self) -> bool:
@@ -91,8 +91,9 @@ def generate_text(
     text with steps is the procedure.
 
     ``pm.md``, ``him.toml``, ``psm.json``, ``rmm/`` and ``answers.json`` stand in the folder of
-    ``output``. ReadError for a text that cannot be read or has no steps. UsageError for an unknown
-    provider.
+    ``output``. A file that stands there and differs goes to the folder ``former-1`` first, or the
+    next number. ReadError for a text that cannot be read or has no steps. UsageError for an unknown
+    provider, or if ``rmm`` is a link.
 
     >>> _ = Path("lamp.md").write_text("1. Switch the lamp on. 2. Look at it.\\n3. Switch it off.")
     >>> made = generate_text(["lamp.md"], "lamp/lamp.json")
@@ -101,6 +102,7 @@ def generate_text(
     """
     drawn = _drawn(files)
     target = _target(Path(output))
+    refuse_places(target)
     sources = _sources(files, target) if drawn is None else None
     listed = _texts([hardware]) if hardware is not None else []
     folder = Path(by_hand) if by_hand is not None else None
@@ -131,8 +133,9 @@ def generate_text(
         reached.files[REQUIREMENTS] = f"{json.dumps(told, ensure_ascii=False, indent=1)}\n"
     given = [one for one in (*files, hardware, require) if one is not None]
     inputs = [one for one in given if not Path(one).is_dir()]
-    written = _write(reached, target, folder, inputs)
-    made = replace(_told(reached, written), requirements=verdicts)
+    written, former = write_chain(reached, target, folder, inputs)
+    told_all = _told(reached, written)
+    made = replace(told_all, requirements=verdicts, former=str(former or ""))
     if sources is None:
         return made
     doubts = made.doubts
@@ -226,40 +229,6 @@ def _refuse_twice(texts: Sequence[ExpertText]) -> None:
 def _target(output: Path) -> Path:
     """Return the file of the blueprint. A folder gets ``psm.json``."""
     return output / FILES[PSM] if output.is_dir() or not output.suffix else output
-
-
-def _write(
-    reached: TextChain, target: Path, by_hand: Path | None, inputs: Sequence[Name]
-) -> tuple[str, ...]:
-    """Write all files. What a person has put into the folder of ``target`` stays as it is."""
-    folder = target.parent
-    folder.mkdir(parents=True, exist_ok=True)
-    own = by_hand is not None and by_hand.resolve() == folder.resolve()
-    files = dict(reached.files)
-    if reached.functions:
-        manifest = functions_manifest(reached.functions, target.stem)
-        files[f"{FILES[RMM]}/{MANIFEST}"] = manifest
-    if reached.blueprint is not None:
-        script = people_script(reached.blueprint)
-        if script:
-            files[PEOPLE] = script
-    made_of = [os.fspath(one) for one in inputs]
-    written = []
-    for name, text in files.items():
-        path = folder / name
-        given = name.partition("/")[0] in FILES.values() and path.name != MANIFEST
-        if own and path.exists() and given:
-            continue
-        path.parent.mkdir(exist_ok=True)
-        save_document(text, path, made_of=made_of)
-        written.append(name)
-    if reached.blueprint is not None and target.name not in written:
-        from smsl_studio.front.outputs import converted
-
-        document = converted(reached.blueprint, target).document
-        save_document(document, target, made_of=made_of)
-        written.insert(0, target.name)
-    return tuple(written)
 
 
 def _told(reached: TextChain, written: tuple[str, ...]) -> GeneratedText:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import threading
 from dataclasses import replace
 from functools import cache
@@ -173,6 +174,42 @@ def test_a_change_of_the_text_is_seen_generated_anew_and_taken_with_what_was_dra
     assert (lamp.parent / "lamp-blueprint" / "former-1" / "pm.md").exists()
     window.actions_table["undo"].trigger()
     assert session.blueprint == before
+
+
+def test_a_new_blueprint_in_the_place_of_another_is_a_step_of_its_history(
+    sit: Sit, lamp: Path
+) -> None:
+    at = made(sit, lamp)
+    window, file = at.person.window, lamp.parent / "lamp-blueprint" / "lamp.json"
+    values = json.loads(file.read_text("utf-8"))
+    values["LAMP"]["State_000"]["Op_ByHand"] = "State_111"
+    file.write_text(json.dumps(values), "utf-8")
+    mine = file.read_text("utf-8")
+    window.actions_table["new"].trigger()
+    lamp.write_text(LAMP.replace("light", "bulb"), "utf-8")
+    window.actions_table["from_text"].trigger()
+    at.person.click(at.dialog.add)
+    assert at.dialog.target.text() == str(file)
+    at.begin()
+    at.person.until(at.page.bar.take.isVisible)
+    assert "no difference" not in at.page.bar.words.text()
+    at.person.click(at.page.bar.take)
+    assert window.files.path == file
+    assert {"Op_ByHand", "Op_LookBulb"} <= set(window.session.blueprint["LAMP"].operation_names)
+    assert file.read_text("utf-8") == mine
+    window.actions_table["undo"].trigger()
+    assert "Op_LookBulb" not in set(window.session.blueprint["LAMP"].operation_names)
+    # What is no blueprint is moved away, and the bar says so first.
+    file.write_text("my list", "utf-8")
+    window.actions_table["new"].trigger()
+    window.actions_table["from_text"].trigger()
+    at.person.click(at.dialog.add)
+    at.begin()
+    at.person.until(at.page.bar.take.isVisible)
+    assert "lamp.json is there already and is no blueprint" in at.page.bar.words.text()
+    at.person.click(at.page.bar.take)
+    at.until(stages.FSM, stages.UNINSPECTED)
+    assert "my list" in {one.read_text("utf-8") for one in file.parent.glob("former-*/lamp.json")}
 
 
 def test_a_person_may_say_that_a_stage_still_holds(sit: Sit, lamp: Path) -> None:

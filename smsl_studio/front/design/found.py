@@ -15,6 +15,7 @@ from typing import Annotated, Any, TypeVar
 
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
+from smsl_studio.blueprint.project import is_below, project_of, real_path
 from smsl_studio.errors import StudioError
 from smsl_studio.generate.code.templates import BY
 from smsl_studio.generate.text.answers import AnswerFault, fitted
@@ -116,19 +117,36 @@ def found_texts(
     names: Sequence[str], known: Sequence[Path], folder: Path
 ) -> tuple[TextBeside, ...]:
     """Return the texts of these names: where the notes say, else in the folder of the blueprint.
-    Further known files come behind them."""
+    Further known files come behind them. One that lies too far away is not read (``is_near``)."""
     by_name = {one.name: one for one in known}
     wanted = list(dict.fromkeys((*names, *by_name)))[:MOST_FILES]
-    return tuple(_text(name, by_name.get(name, folder / Path(name).name)) for name in wanted)
+    return tuple(
+        _text(name, by_name.get(name, folder / Path(name).name), folder) for name in wanted
+    )
 
 
-def _text(name: str, path: Path) -> TextBeside:
+def is_near(path: Path, folder: Path) -> bool:
+    """Return whether a file that notes beside a blueprint name may be read: it lies in the project
+    of the blueprint, or just above its folder, where a text is by itself. Links are resolved."""
+    real, own = real_path(str(path)), real_path(str(folder))
+    project = project_of(str(folder / "blueprint"))
+    return is_below(real, project) or Path(real).parent == Path(own).parent
+
+
+def too_far(name: str) -> str:
+    """Return why a file is not read."""
+    return f"{name[:300]} lies outside the project and is not read"
+
+
+def _text(name: str, path: Path, folder: Path) -> TextBeside:
     heed()
+    if not is_near(path, folder):
+        return TextBeside(name, None, None, too_far(name))
     try:
         return TextBeside(name, path, _text_at(path, _stamp(path)))
     except StudioError as error:
-        if not path.exists():
-            return TextBeside(name, None, None, f"{name} is not here")
+        if _stamp(path) is None:
+            return TextBeside(name, None, None, f"{name[:300]} is not here")
         return TextBeside(name, path, None, f"{name}: {error.sentence}")
 
 
@@ -142,7 +160,7 @@ def _text_at(path: Path, stamp: object) -> ExpertText:
 def _stamp(path: Path) -> object:
     try:
         seen = path.stat()
-    except OSError:
+    except (OSError, ValueError):
         return None
     return seen.st_ino, seen.st_mtime_ns, seen.st_size
 
@@ -243,7 +261,8 @@ def _read(path: Path, how: Callable[[bytes], Got]) -> Got | None:
         raw = read_ordinary(path, LARGEST).raw
         return how(raw) if len(raw) <= LARGEST else None
     except (
-        OSError, ValueError, KeyError, TypeError, RecursionError, AnswerFault, ValidationError
+        OSError, ValueError, OverflowError, KeyError, TypeError, RecursionError, AnswerFault,
+        ValidationError,
     ):  # fmt: skip
         return None
 

@@ -14,20 +14,23 @@ from smsl_studio.blueprint.comparison.compare import compare
 from smsl_studio.blueprint.comparison.difference import Change
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.errors import SaveError, StudioError, UsageError
+from smsl_studio.front.chain_files import PEOPLE, REQUIREMENTS, base_name
+from smsl_studio.front.design.base import generation_of
 from smsl_studio.front.design.notes import NO_NOTES, DesignNotes, read_notes, write_notes
-from smsl_studio.front.generated_text import PEOPLE, REQUIREMENTS, GeneratedText, generate_text
+from smsl_studio.front.former_files import is_same, is_there, lay_aside
+from smsl_studio.front.generated_text import GeneratedText, generate_text
 from smsl_studio.generate.text.chain import KEPT
-from smsl_studio.generate.text.prompts import FILES
+from smsl_studio.generate.text.prompts import FILES, PSM
 from smsl_studio.generate.text.providers import BY_HAND, READER, REPLAY
 from smsl_studio.smsl.files import read_content, save_document
 from smsl_studio.stop import Stopped, heed, heeding
 
 LOOK = 0.05
 """The time (s) between two looks whether the chain has ended or is called off."""
-CHAIN = (*FILES.values(), KEPT, PEOPLE, REQUIREMENTS)
+CHAIN = (*FILES.values(), KEPT, PEOPLE, REQUIREMENTS, base_name(FILES[PSM]))
 """What the chain writes beside the blueprint. The functions are a folder."""
-FORMER = "former"
-MOST_FORMER = 1_000
+NOTHING, BLUEPRINT, OTHER = "nothing", "a blueprint", "another file"
+"""What is in the place of a new blueprint."""
 __all__ = ["BY_HAND", "READER", "REPLAY", "GenerationRequest", "NewGeneration", "generate_anew"]
 
 
@@ -63,18 +66,34 @@ class GenerationRequest:
             raise UsageError(
                 f"{self.target.name} is a text that is read", advice="Choose another file."
             )
+        beside = {(self.target.parent / name).resolve() for name in CHAIN}
+        taken_name = next((one for one in read if one in beside), None)
+        if taken_name is not None:
+            raise UsageError(
+                f"{taken_name.name} is a text that is read, and a file of this name is written",
+                advice="Choose another folder for the blueprint.",
+            )
+        if self.target.name in (KEPT, REQUIREMENTS, base_name(FILES[PSM])):
+            raise UsageError(
+                f"{self.target.name} is written beside the blueprint",
+                advice="Give it another name.",
+            )
         return self
 
 
 @dataclass(frozen=True)
 class NewGeneration:
     """What came, and where its files wait. ``made.blueprint`` is None if the chain did not come so
-    far; ``made.lacking`` says why. ``changes`` are those from the present blueprint to it."""
+    far; ``made.lacking`` says why. ``changes`` are those from the present blueprint to it.
+    ``place`` says what is in the place of its file, and ``has_base`` whether it is known how that
+    was generated, so that changes by hand stay."""
 
     request: GenerationRequest
     folder: Path
     made: GeneratedText
     changes: tuple[Change, ...] = ()
+    place: str = NOTHING
+    has_base: bool = False
 
     @property
     def is_whole(self) -> bool:
@@ -86,7 +105,7 @@ def generate_anew(
     request: GenerationRequest, folder: Path, before: Blueprint | None = None
 ) -> NewGeneration:
     """Run the chain of a request into ``folder``, which is emptied first, and compare what came
-    with ``before``. Nothing else is written.
+    with ``before``, or else with the blueprint in the file of the request. Nothing else is written.
 
     It takes as long as who answers takes, and heeds a stop at once: nobody is asked any more then,
     and an answer that is on its way is dropped. StudioError as ``generate_text``.
@@ -94,11 +113,27 @@ def generate_anew(
     asked = request.checked()
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True, exist_ok=True)
+    place, present = BLUEPRINT, before
+    if before is None:
+        place, present = what_is_at(asked.target)
     made = _TextThread(asked, folder / f"{asked.target.stem}.json").wait()
-    changes: tuple[Change, ...] = ()
-    if made.blueprint is not None and before is not None:
-        changes = compare(before, made.blueprint).changes
-    return NewGeneration(asked, folder, made, changes)
+    if made.blueprint is None or present is None:
+        return NewGeneration(asked, folder, made, (), place)
+    changes = compare(present, made.blueprint).changes
+    has_base = generation_of(present, asked.target) is not None
+    return NewGeneration(asked, folder, made, changes, place, has_base)
+
+
+def what_is_at(target: Path) -> tuple[str, Blueprint | None]:
+    """Return what is in the place of a blueprint, and the blueprint if it is one."""
+    from smsl_studio.front.inputs import read
+
+    if not os.path.lexists(target):
+        return NOTHING, None
+    try:
+        return BLUEPRINT, read(target)
+    except StudioError:
+        return OTHER, None
 
 
 class _TextThread:
@@ -165,18 +200,20 @@ def keep_generation(new: NewGeneration, own: bool = False) -> None:
     """Put the files of a taken generation beside the blueprint, and remember its texts.
 
     Files of the chain that lie there go to the folder ``former-1`` (or the next number) first, so
-    that nothing is lost. With ``own`` the blueprint itself is written, too. SaveError if something
-    cannot be written.
+    that nothing is lost. With ``own`` the blueprint itself is written, too, and a file that was in
+    its place goes there as well. SaveError if something cannot be written.
     """
     asked, target = new.request, new.request.target.absolute()
     target.parent.mkdir(parents=True, exist_ok=True)
     inputs = [os.fspath(one) for one in (*asked.texts, asked.hardware, asked.require) if one]
     try:
-        _lay_aside(target.parent, new.folder)
+        lay_aside(list(_replaced(target, new.folder, own)), target.parent)
         for path in _files(new.folder):
-            place = target.parent / path.relative_to(new.folder)
+            place, raw = target.parent / path.relative_to(new.folder), read_content(path).raw
+            if place == target or is_same(place, raw):
+                continue
             place.parent.mkdir(exist_ok=True)
-            save_document(read_content(path).raw, place, made_of=inputs)
+            save_document(raw, place, made_of=inputs)
     except OSError as error:
         raise SaveError(
             f"{target.parent} cannot be written: {error.strerror or error}",
@@ -209,27 +246,23 @@ def notes_or_none(file: str) -> DesignNotes:
 
 
 def _files(folder: Path) -> Iterator[Path]:
-    """Yield what the chain has written into a folder, without the blueprint itself."""
+    """Yield what the chain has written into a folder, without the blueprint itself. A link is
+    yielded, and not followed."""
     for name in CHAIN:
         path = folder / name
-        if path.is_dir():
-            yield from sorted(one for one in path.iterdir() if one.is_file())
-        elif path.is_file():
+        if path.is_dir() and not path.is_symlink():
+            yield from sorted(one for one in path.iterdir() if is_there(one))
+        elif is_there(path):
             yield path
 
 
-def _lay_aside(folder: Path, new: Path) -> None:
-    """Move the files of the former generation into a folder, unless they are the same."""
-    old = [path for path in _files(folder) if not _is_same(path, new / path.relative_to(folder))]
-    if not old:
-        return
-    names = (folder / f"{FORMER}-{number}" for number in range(1, MOST_FORMER))
-    aside = next((one for one in names if not one.exists()), folder / FORMER)
-    for path in old:
-        place = aside / path.relative_to(folder)
-        place.parent.mkdir(parents=True, exist_ok=True)
-        path.replace(place)
-
-
-def _is_same(one: Path, other: Path) -> bool:
-    return other.is_file() and one.read_bytes() == other.read_bytes()
+def _replaced(target: Path, new: Path, own: bool) -> Iterator[Path]:
+    """Yield the files of the former generation that differ from the new ones. With ``own`` the file
+    of the blueprint itself is one of them."""
+    folder = target.parent
+    for path in _files(folder):
+        other = new / path.relative_to(folder)
+        if path != target and not (other.is_file() and is_same(path, other.read_bytes())):
+            yield path
+    if own and is_there(target):
+        yield target

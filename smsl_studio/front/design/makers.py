@@ -51,6 +51,6 @@ def newest(paths: Iterable[Path | None]) -> float | None:
         if path is not None:
             try:
                 times.append(path.stat().st_mtime)
-            except OSError:
+            except (OSError, ValueError):
                 continue
     return max(times, default=None)

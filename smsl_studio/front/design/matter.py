@@ -3,22 +3,22 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
 from typing import Any
 
 from smsl_studio.blueprint.digests import digests
 from smsl_studio.blueprint.model import Blueprint
-from smsl_studio.errors import PluginError, ReadError, StudioError
+from smsl_studio.errors import PluginError, ReadError
 from smsl_studio.front.approval_badge import ApprovalWords
 from smsl_studio.front.approval_files import record_in
 from smsl_studio.front.check_findings import CheckAnswer
 from smsl_studio.front.design import found, stages
+from smsl_studio.front.design.base import generation_of
 from smsl_studio.front.design.functions import FunctionsBeside, functions_beside
 from smsl_studio.front.design.notes import NO_NOTES, DesignNotes, StageNote, read_notes
 from smsl_studio.generate.text.equipment import NeededEquipment
-from smsl_studio.generate.text.prompts import FILES, PSM
 from smsl_studio.inspection.approval.record_file import SignedRecord, record_path
 from smsl_studio.inspection.approval.refusal import Refusal
 from smsl_studio.library.bindings_file import BindingsFile, bindings_beside
@@ -34,6 +34,12 @@ STAGE_OF: Mapping[str, int] = {
     TEXTS: stages.TEXT, LIST: stages.TEXT, STATES: stages.FSM, SUBS: stages.BRANCHES,
     CLOSURE: stages.HFSM, DEVICES: stages.HARDWARE,
 }  # fmt: skip
+
+OF: Mapping[int, tuple[str, ...]] = {
+    stages.FSM: (TEXTS,), stages.BRANCHES: (STATES,), stages.HARDWARE: (TEXTS, LIST),
+    stages.TESTING: (CLOSURE, DEVICES),
+}  # fmt: skip
+"""The digests for which a note of a stage holds, the most important first."""
 
 
 @dataclass
@@ -58,14 +64,21 @@ class DesignMatter:
         if self.path is None:
             return NO_NOTES
         try:
-            return read_notes(str(self.path))
+            notes = read_notes(str(self.path))
         except ReadError as error:
             self.fault = error.sentence
             return NO_NOTES
+        if notes.require is not None and not found.is_near(notes.require, self.folder):
+            self.fault = found.too_far(notes.require.name)
+            return replace(notes, require=None)
+        return notes
 
     def note(self, stage: int) -> StageNote | None:
-        """Return what was done for a stage."""
-        return self.notes.done.get(stage)
+        """Return what was done for a stage. A note that names nothing of which the stage is made
+        settles nothing, so it counts as none."""
+        note = self.notes.done.get(stage)
+        needed = next((name for name in OF.get(stage, ()) if name in self.digests), None)
+        return note if note is not None and needed in note.of else None
 
     @property
     def folder(self) -> Path:
@@ -118,15 +131,7 @@ class DesignMatter:
     @cached_property
     def generation(self) -> Blueprint | None:
         """The blueprint as it was generated last; None if there is none beside it."""
-        from smsl_studio.front.inputs import read
-
-        place = self.folder / FILES[PSM]
-        if not self.origin or not place.exists():
-            return None
-        try:
-            return read(place)
-        except StudioError:
-            return None
+        return generation_of(self.blueprint, self.path) if self.path is not None else None
 
     @cached_property
     def bindings(self) -> BindingsFile | None:

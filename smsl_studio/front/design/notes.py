@@ -25,7 +25,7 @@ LARGEST = 1 << 20
 """The largest size of the file (bytes)."""
 _Short = Annotated[str, StringConstraints(max_length=300)]
 _Doubt = Annotated[str, StringConstraints(max_length=1000)]
-_Path = Annotated[str, StringConstraints(min_length=1, max_length=4096)]
+_Path = Annotated[str, StringConstraints(min_length=1, max_length=4096, pattern=r"^[^\x00]*$")]
 MakerKind = Literal["person", "rules", "physics", "model"]
 _Digest = Annotated[str, StringConstraints(pattern=r"^[0-9a-f]{64}$")]
 
@@ -52,7 +52,7 @@ class _Notes(BaseModel):
     version: Literal[1]
     texts: Annotated[tuple[_Path, ...], Field(max_length=100)] = ()
     hardware: Annotated[tuple[_Path, ...], Field(max_length=100)] = ()
-    require: Annotated[str, StringConstraints(max_length=4096)] = ""
+    require: _Path | Literal[""] = ""
     doubts: Annotated[tuple[_Doubt, ...], Field(max_length=MOST_DOUBTS)] = ()
     done: Annotated[tuple[StageNote, ...], Field(max_length=9)] = ()
 

@@ -8,12 +8,10 @@ from dataclasses import replace
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.front.design.cycle import DesignCycle
 from smsl_studio.front.design.generation import notes_or_none
-from smsl_studio.front.design.matter import CLOSURE, DEVICES, LIST, STATES, TEXTS
+from smsl_studio.front.design.matter import OF
 from smsl_studio.front.design.notes import MakerKind, StageNote, write_notes
 from smsl_studio.front.design.stages import (
     BRANCHES,
-    FSM,
-    HARDWARE,
     PERSON,
     PHYSICS,
     RULES,
@@ -24,11 +22,6 @@ from smsl_studio.front.sweeps import sweep
 from smsl_studio.inspection.rules.words import counted
 from smsl_studio.runlog.events import SweepFinished
 from smsl_studio.world.engines import TABLE
-
-OF = {
-    FSM: (TEXTS,), BRANCHES: (STATES,), HARDWARE: (TEXTS, LIST), TESTING: (CLOSURE, DEVICES),
-}  # fmt: skip
-"""The digests for which a note of a stage holds."""
 
 
 def try_cuts(blueprint: Blueprint, cycle: DesignCycle) -> StageNote:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 from pathlib import Path
 
-from smsl_studio.errors import Place, ReadError
+from smsl_studio.errors import Place, ReadError, UsageError
 from smsl_studio.generate.text.answers import LONGEST_ANSWER
 from smsl_studio.generate.text.equipment import read_equipment_page
 from smsl_studio.generate.text.expert_text import read_text
@@ -71,6 +71,11 @@ class AnswerFolder:
     def _ask(self, question: StageQuestion) -> None:
         self.folder.mkdir(parents=True, exist_ok=True)
         prompt = self.folder / f"{question.stage}.prompt.md"
+        if prompt.is_symlink():
+            raise UsageError(
+                f"{prompt} is a link, and the prompt would be written into another file",
+                advice="Move the link away.",
+            )
         save_document(question.prompt, prompt)
         name = FILES[question.stage] + ("/" if question.stage == RMM else "")
         raise Unanswered(

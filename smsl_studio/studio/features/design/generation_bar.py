@@ -7,7 +7,7 @@ from time import monotonic
 from PySide6.QtCore import QTimer, Signal
 from PySide6.QtWidgets import QFrame, QPushButton, QVBoxLayout
 
-from smsl_studio.front.design.generation import NewGeneration
+from smsl_studio.front.design.generation import BLUEPRINT, OTHER, NewGeneration
 from smsl_studio.studio.base.controls import label, row
 from smsl_studio.studio.base.tips import tip_text
 from smsl_studio.studio.base.words import counted
@@ -69,7 +69,12 @@ class GenerationBar(QFrame):
             self.words.setText(lacking or "Nothing came.")
             return
         many = counted(len(new.changes), "difference") if new.changes else "no difference"
+        if new.place == OTHER:
+            name = new.request.target.name
+            many = f"{name} is there already and is no blueprint, so it goes to a folder former-1"
         said = f"A new generation waits: {many}. The blueprint is as before until you take it."
+        if new.place == BLUEPRINT and new.changes and not new.has_base:
+            said += " Nothing tells what you changed by hand, so all of it is replaced."
         if new.made.doubts:
             said += f" Look again at {counted(len(new.made.doubts), 'point')}."
         if not new.made.goal_reached:

@@ -69,6 +69,8 @@ def sections_of(
 
 
 def _texts(cycle: DesignCycle, _: Blueprint) -> Iterator[SideSection]:
+    if cycle.fault:
+        yield SideSection("Notes", rows=(SideRow(cycle.fault, mark=stages.WARNING),))
     for title, texts, empty in (
         ("Texts", cycle.texts, "No text. Choose what somebody has written who knows it."),
         ("Lists of hardware", cycle.hardware, "No list of hardware."),

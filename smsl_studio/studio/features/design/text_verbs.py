@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import shutil
 import tempfile
 from collections.abc import Callable
@@ -119,20 +120,32 @@ class TextVerbs(QObject):
 
     def take(self) -> None:
         """Replace the blueprint by what came, as one step of the history."""
-        from smsl_studio.front.design.generation import keep_generation, taken
+        from smsl_studio.front.design.base import generation_of
+        from smsl_studio.front.design.generation import (
+            BLUEPRINT,
+            keep_generation,
+            taken,
+            what_is_at,
+        )
 
         page = self._part()
         new = page.new
         if new is None or new.made.blueprint is None:
             return
-        made, here = new.made.blueprint, self._is_here(new.request)
+        made, target = new.made.blueprint, new.request.target
         files, session, toast = self._parts.files, self._parts.session, self._parts.toast
-        if not here and not files.may_leave():
+        here = self._is_here(new.request)
+        if not here and what_is_at(target)[0] == BLUEPRINT:
+            # The file that is there is not written over: what came is a step of its history.
+            if not files.open(target):
+                return
+            self.show()
+            here = True
+        elif not here and not files.may_leave():
             return
-        base = page.cycle.generation if page.cycle is not None else None
-        if here and not session.edit(
-            "Take the new generation", lambda before: taken(before, base, made)
-        ):
+        if here and not session.edit("Take the new generation", lambda before: taken(
+            before, generation_of(before, target), made
+        )):  # fmt: skip
             return
         try:
             keep_generation(new, own=not here)
@@ -174,7 +187,8 @@ class TextVerbs(QObject):
         page.new = new
         page.bar.show_came(new)
         page.refresh()
-        fresh = not self._is_here(new.request) and not new.request.target.exists()
+        target = new.request.target
+        fresh = not self._is_here(new.request) and not os.path.lexists(target)
         if fresh and new.is_whole:
             self.take()
 
