@@ -70,7 +70,7 @@ def test_a_file_in_the_place_of_a_new_blueprint_is_told_and_laid_aside(text: Pat
     assert "Op_ByHand" not in target.read_text("utf-8")
     # A text that is read is never moved away.
     page = text.rename(target.parent / "pm.md")
-    with pytest.raises(UsageError, match="pm.md is a text that is read"):
+    with pytest.raises(UsageError, match=r"pm\.md is a text that is read"):
         anew(page, target)
 
 
