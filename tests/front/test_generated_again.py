@@ -115,6 +115,8 @@ def test_what_was_drawn_is_merged_with_the_generation_of_the_same_blueprint(text
             assert new.has_base
             assert new.made.blueprint is not None
             base = generation_of(before, target)
+            assert base is not None
+            assert [one.name for one in base] == ["LAMP"]
             found = taken(before, base, new.made.blueprint)
             assert {"Op_ByHand", "Op_LookBulb"} <= set(found["LAMP"].operation_names)
             keep_generation(new)
