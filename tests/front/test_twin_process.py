@@ -150,7 +150,7 @@ def test_a_forecast_that_is_called_off_keeps_the_world_for_the_next(wild: TwinPr
 def test_a_process_that_is_lost_costs_one_forecast(
     wild: TwinProcess, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(twin_process, "HANG_LIMIT", 0.3)
+    monkeypatch.setattr(twin_process, "HANG_LIMIT", 1.0)
     for name, words in (
         ("Die", "the forecast process ended by itself with exit status 3"),
         ("Hang", "the forecast process did not answer for "),
