@@ -1,6 +1,6 @@
-"""Checks this folder, as README.txt explains."""
-import sys; del sys.path[:__name__ == "__main__"]  # no module of this folder is loaded
+"""Checks this folder, as README.txt explains."""; import sys; del sys.path[:__name__ == "__main__"]
 import base64, datetime as dt, hashlib, itertools, json, pathlib, tomllib, unicodedata as signs
+NOT_CHECKED = "reception over MQTT or from measures", "costs of routes"
 class Map(dict):  # m.key is m["key"]
 	__getattr__, __setattr__, __missing__ = dict.__getitem__, dict.__setitem__, lambda m, key: Map()
 def no(wrong, why="it does not follow"):
@@ -63,12 +63,12 @@ def placed(s, key, at):  # where a sub-SB and its own start
 	return at | {k: v for own in s.subs if own[0] == x for k, v in placed(s, own, at).items()}
 def level(s, *of): return next((a[k] for a in (s.h.levels, s.levels) for k in of if k in a), "")
 def edge(s, a):  # what an operation changes
-	b, at, word = parts(a); sb, own, key = s.sbs[b], text(word), text(at, word); no(a != text(b, at,
-		word)); to, was = [*s.made.get(a, [sb.states[at][word]])][0], s.conf | {b: at}
-	note = Map(sb.ops[own] | sb.ops[key]); load = note.subs == "load"; diff = {key for key, _ in
-		s.means[b, at].items() ^ s.means[b, to].items()}; op = Map(b=b, was=at, to=(b, to), new={b: to},
-		t=s.t, a=a, note=note, level=level(s, a, text(b, word)) or note.actor, needs=load or diff -
-		{*s.subs} or not diff)
+	b, at, word = parts(a); sb, own, key = s.sbs[b], text(word), text(at, word)
+	no(a != text(b, at, word)); to, was = [*s.made.get(a, [sb.states[at][word]])][0], s.conf | {b: at}
+	note = Map(sb.ops[own] | sb.ops[key]); load = note.subs == "load"
+	diff = {key for key, _ in s.means[b, at].items() ^ s.means[b, to].items()}
+	op = Map(b=b, was=at, to=(b, to), new={b: to}, t=s.t, a=a, note=note, level=level(s, a, text(b,
+		word)) or note.actor, needs=load or diff - {*s.subs} or not diff)
 	for key in diff & {*s.subs} if load else (): op.new = placed(s, key, op.new) | op.new
 	op.crossed = {k for k, x in s.subs.items() if [was[x], (was | op.new)[x]].count(s.ends[x]) == 1}
 	op.along = diff | {key for key in s.subs if key[0] in {*op.new} - {b}}; return op
@@ -125,16 +125,16 @@ def on_route_planned(s, e):
 def on_operation_started(s, e):
 	a, op, now, rest = e.a, edge(s, e.a), here(s), s.ops; op.code = e.function; safe(s)
 	s.free, on, seen = s.free or s.ask == a, s.plan[:1] == [a], terms(s, now, op.b, way(s))
-	bound = s.made.get(a) or s.h.grounds.functions[op.b]; yes, go = (s.said.pop((kind, a), "  ") for
-		kind in ("confirm", "supervise")); no(bound and e.function not in ("", *bound.values()))
-	no(op.to[1] != e.target or now[op.b] != op.was or a in s.shut or s.bar.get(a) or s.bad or not
-		s.free and (not on or s.paused or a in s.veto) or False in seen or None in seen and not rest
-		or s.acts and not s.again or any((o.how or o.b == op.b) and not o.done for o in rest) or
-		bool(e.function) == (not op.needs or op.level == "human") or go[1] != "go_on" and not (rest or
-		s.free or op.b in s.based) and (go[0] == s.t or level(s, "supervision") == "human") or
-		yes[1] != "confirm" and (op.level == "shared" or op.note.confirm) or not all(key[0] in s.moved
-		or holds(s, key, v, now) for key, v in facts(op.note.requires).items()) or s.tasks or s.latch)
-	s.ops, s.plan, s.acts, s.held, s.ask = [*rest, op], s.plan[on:], 1, 0, 0
+	bound, yes = s.made.get(a) or s.h.grounds.functions[op.b], s.said.pop(("confirm", a), "  ")
+	go = s.said.pop(("supervise", a), "  "); no(bound and e.function not in ("", *bound.values()))
+	no(op.to[1] != e.target or now[op.b] != op.was or a in s.shut or s.bar.get(a) or s.bad)
+	no(not s.free and (not on or s.paused or a in s.veto) or False in seen or None in seen and not rest
+		or s.acts and not s.again or any((o.how or o.b == op.b) and not o.done for o in rest))
+	no(bool(e.function) == (not op.needs or op.level == "human") or go[1] != "go_on" and not (rest or
+		s.free or op.b in s.based) and (go[0] == s.t or level(s, "supervision") == "human"))
+	no(yes[1] != "confirm" and (op.level == "shared" or op.note.confirm) or not all(key[0] in s.moved
+		or holds(s, key, v, now) for key, v in facts(op.note.requires).items()))
+	no(s.tasks or s.latch); s.ops, s.plan, s.acts, s.held, s.ask = [*rest, op], s.plan[on:], 1, 0, 0
 def on_operation_ended(s, e):
 	op, bad, s.acts = ops(s, e.a)[-1], e.outcome != "returned", 0; no(op.how or s.bad)
 	no(e.outcome not in "returned failed raised timed_out cancelled lost".split())
@@ -142,8 +142,9 @@ def on_operation_ended(s, e):
 		s.ops) or not bad and (op.answer != "done" and (op.answer or s.t <= op.t) or "blueprint" in
 		op.note.binding and op.code and op.below.over != END)); op.how, s.bad = e.outcome, bad
 def on_committed(s, e):
-	done = [s.ops.pop(s.ops.index(ops(s, a)[0])) for a in e.operations]; new = {b: at for op in done
-		for b, at in op.new.items()}; no(not done or s.bad or s.last.t != s.t or e.configuration != new
+	done = [s.ops.pop(s.ops.index(ops(s, a)[0])) for a in e.operations]
+	new = {b: at for op in done for b, at in op.new.items()}
+	no(not done or s.bad or s.last.t != s.t or e.configuration != new
 		or due(done) or new.items() - s.seen.items() or broken(s, s.conf | new))
 	s.conf, s.moved, s.count = s.conf | new, {*s.moved, *new}, s.count + len(done); safe(s)
 	if not (s.ops or {*new} & {*s.based, *(b for b, _ in s.subs)}): s.free = s.moved = ()
@@ -171,12 +172,12 @@ def on_commanded(s, e):
 	if word in ("resume", "step"): s.paused, s.veto = 0, () if s.held else s.veto
 	if word == "veto" and not s.ops: s.veto = *s.veto, e.a
 	s.hand |= word in "ask step stop set_automatic set_cost"; s.ask = e.a if word == "ask" else s.ask
-def on_edge_generated(s, e):  # allowed, without a hazard, and as its name says elsewhere
-	b, at, w = parts(e.a); new, rows, to = facts(e.facts).items(), s.sbs[b].states, s.means[b, e.target]
-	no(len(e.proposal) != 64 or not e.provider or s.ops or s.conf[b] != at or w in rows[at] or [e.by] !=
-		[*s.last.answers] or s.said.pop(("generate", e.a), 0) != (s.t, "allow") or new ^ (to.items() -
-		s.means[b, at].items()) or any(w in r and new - s.means[b, r[w]].items() for r in rows.values())
-		or hazards(Map(s, facts=s.facts | to))); s.made |= {e.a: {e.target: e.function}}
+def on_edge_generated(s, e):  # allowed, as its name says elsewhere
+	b, at, w = parts(e.a); new, rs, to = facts(e.facts).items(), s.sbs[b].states, s.means[b, e.target]
+	no(len(e.proposal) != 64 or not e.provider or s.ops or s.conf[b] != at or w in rs[at])
+	no([e.by] != [*s.last.answers] or s.said.pop(("generate", e.a), 0) != (s.t, "allow"))
+	no(new ^ (to.items() - s.means[b, at].items()) or any(w in r and new - s.means[b, r[w]].items() for
+		r in rs.values()) or hazards(Map(s, facts=s.facts | to))); s.made |= {e.a: {e.target: e.function}}
 def on_subs_bypassed(s, e): no({*edge(s, e.a).new} ^ {parts(e.a)[0], *e.subs})
 def on_disturbed(s, e): no(s.cause.value != (e.fault or f"{e.target} {e.kind}"))
 def on_held(s, e): s.paused, s.held = no(e.kind not in
@@ -216,11 +217,11 @@ def on_run_finished(s, e):
 	cut, told = why.startswith(("The window let", "Stopped in", "Stopped before")), held == why
 	no(not why or s.conf and e.configuration != s.conf or s.tasks and r != "failed" and not cut or
 		e.operations != s.count or late and (not (cut or s.h.attended) or s.last.event == r == END))
-	no(not {"no_route": told and kind == r, "failed": told and not late and s.last.event == kind ==
-		"held", "stopped": cut or s.latch == r and why.startswith(f"Stopped by {s.by}."),
-		"held": told and kind != "no_route" or "nobody is there to " in why, "refused": not (s.count or
-		s.ops) and (not s.began or ("start", "") in s.said), END: s.told == [*s.goals] and
-		why.startswith(", ".join(s.told) + " hold")}[r]); s.over = r; r == END and arrived(s)
+	ends = {"no_route": told and kind == r, "failed": told and not late and s.last.event == kind ==
+		"held", "stopped": cut or s.latch == r and why.startswith(f"Stopped by {s.by}.")}
+	ends |= {"held": told and kind != "no_route" or "nobody is there to " in why, "refused": not
+		(s.count or s.ops) and (not s.began or ("start", "") in s.said), END: s.told == [*s.goals] and
+		why.startswith(", ".join(s.told) + " hold")}; no(not ends[r]); s.over = r; r == END and arrived(s)
 def story(known, of, h, at): return Map(known[of], known=known, h=h, at=at, shut={*h.avoid},
 	tasks={}, plan=(), met=set(), last=Map(t=0), cause=Map(effect=""), t=0, end=2**53, hand=0, count=0)
 def tell(known, raw, files=()):
@@ -279,8 +280,7 @@ def judge(known, h, of, day=0, bot={"automatic", "recorder"}):  # why it is not 
 def files(way): return sorted(p for p in pathlib.Path().glob(way) if p.is_file() > p.is_symlink())
 def load(n): p = pathlib.Path(n); return p.read_bytes() if p.is_file() > p.is_symlink() else b""
 def main():  # 5 THE FOLDER
-	wrong, records, said = [], files("records/**/*"), ["Not checked: reception over MQTT or from " +
-		"measures.", "Not checked: costs of routes."]
+	wrong, records = [], files("records/**/*"); said = [f"Not checked: {one}." for one in NOT_CHECKED]
 	def tried(place, act, *given):
 		try: return act(*given)
 		except Exception as error: wrong.append(f"{place}: {str(error) or repr(error)}"[:500])
