@@ -11,6 +11,7 @@ import smsl_studio as smsl
 from smsl_studio.blueprint.address import Address
 from smsl_studio.front.campaign_faults import CampaignRequest
 from smsl_studio.front.campaign_runs import Injection, RunVerdict
+from smsl_studio.front.fault_foresight import FaultEnd
 from smsl_studio.shipped import samples_dir
 from smsl_studio.studio.base.theme import LIGHT
 from smsl_studio.studio.features.campaign.page import CampaignPage
@@ -24,6 +25,8 @@ def test_the_filter_keeps_what_ended_otherwise_and_offers_a_finding(qtbot: QtBot
     work = CampaignWork(home)
     work.request = CampaignRequest(smsl.read(Path(samples_dir() / "hanoi-2.json")), seeds=1)
     work.tally.begin([Injection("slip", edge) for edge in EDGES], 1)
+    for row, end in enumerate(("reached", "reached")):
+        work.tally.foresee(row, FaultEnd(end, "another way leads there", ("a", "b")))
     work.tally.hear(0, 0, RunVerdict(False, False, "held", "0" * 64))
     work.tally.hear(1, 0, RunVerdict(True, True, "goal_reached", "0" * 64))
     page = CampaignPage(work, LIGHT)
@@ -31,7 +34,7 @@ def test_the_filter_keeps_what_ended_otherwise_and_offers_a_finding(qtbot: QtBot
     page.show_drawing(work.request.blueprint)
     page.show()
     qtbot.waitUntil(lambda: page.differ.text().endswith("  1"))
-    told: list[tuple[object, str]] = []
+    told: list[tuple[object, ...]] = []
     page.finding_wanted.connect(lambda *words: told.append(words))
     page.differ.click()
     assert [page.table.isRowHidden(row) for row in range(3)] == [False, True, False]
@@ -40,6 +43,6 @@ def test_the_filter_keeps_what_ended_otherwise_and_offers_a_finding(qtbot: QtBot
     page.table.choose(str(EDGES[0]), "slip")
     assert "They ended otherwise" in page.side.foreseen.text()
     page.side.finding.click()
-    assert told == [(work.tally.cells[0], "reached")]
+    assert told == [(work.tally.cells[0],)]
     page.differ.click()
     assert not page.table.isRowHidden(1)
