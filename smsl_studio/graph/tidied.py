@@ -63,8 +63,9 @@ def tidied(
     own = set(chosen) & branch.table.keys() or branch.table.keys()
     moving, half = own - branch.notes.pinned, half_for(branch)
     clear = without_strangers(branch, found, half, moving)
-    for _ in range(TURNS if clear != found else 0):
-        # The next tidying must be no step, so the drawing is tidied until it rests.
+    for _ in range(TURNS):
+        # The next tidying must be no step, so the drawing is tidied until it rests. Around pinned
+        # states it may take a second turn although no stranger was led out.
         again = _without_groups(branch, clear, chosen, kind)
         before, clear = clear, without_strangers(branch, again, half, moving)
         if clear == before:
