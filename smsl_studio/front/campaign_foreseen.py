@@ -23,8 +23,8 @@ class CampaignForesight:
         )
 
     def look(self, injection: Injection | None) -> FaultEnd | None:
-        """Return how the runs of a row end. None if that cannot be foreseen, and without a
-        fault."""
+        """Return how the runs of a row are expected to end. None if there is no fault, or if
+        nothing can be foreseen."""
         if injection is None:
             return None
         return self._foresight.look(injection.fault, injection.edge)

@@ -1,4 +1,4 @@
-"""Shuts a process in, for ever: the kernel refuses it new processes, connections, and files.
+"""Shuts a process in until it ends: the kernel refuses it new processes, connections, and files.
 
 Generated code runs behind this. It is more than the confinement of plugins, which may do all this:
 here the world stands already, and a motion needs none of it. Only the folders of Python and of this

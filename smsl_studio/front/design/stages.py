@@ -118,7 +118,7 @@ _FEET = {EMPTY: "Not begun", UNINSPECTED: "Generated, not inspected", SETTLED: "
 
 @dataclass(frozen=True)
 class NextStep:
-    """What is to be done next at a stage, who does it, and at which element, if it is one."""
+    """What is to be done next at a stage, and who does it. If it concerns one element, which."""
 
     number: int
     what: str

@@ -274,7 +274,7 @@ class CampaignSide(QWidget):
         self.runs.setFixedHeight(TILE_HIGH * min(max(rows, 1), TILE_ROWS) + 2)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Distribute the new width among the tiles."""
+        """Make the tiles fit the new width."""
         super().resizeEvent(event)
         self._fit_tiles()
 

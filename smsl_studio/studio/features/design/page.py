@@ -57,7 +57,7 @@ class CyclePage(QWidget):
         self.setFocusProxy(self.board.cards[self.number - 1])
 
     def show_cycle(self, cycle: DesignCycle, blueprint: Blueprint) -> None:
-        """Show a design cycle; the chosen stage stays."""
+        """Show another design cycle. The same stage stays chosen."""
         self.cycle, self._blueprint = cycle, blueprint
         self.board.show_cycle(cycle)
         self.refresh()
